@@ -27,8 +27,8 @@
 
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -42,7 +42,6 @@
 #include <glm/common.hpp>
 #include <glm/fwd.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/type_precision.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/mat2x3.hpp>
 #include <glm/mat3x3.hpp>
@@ -54,20 +53,15 @@
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 #include <initializer_list>
-#include <iterator>
 #include <limits>
-#include <map>
 #include <new>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -91,6 +85,10 @@ namespace umbrage {
 using error_handler = void (*)(const char* message);
 
 namespace detail {
+
+/// What templates take, by default, that are templates for one reason: a file compiles of them what it calls, and not
+/// whatever it includes.
+struct on_use;
 
 inline error_handler handler = nullptr;
 
@@ -128,6 +126,96 @@ inline error_handler set_error_handler(error_handler handler) {
 }
 
 }  // namespace umbrage
+
+// ---- umbrage/algorithm.hpp
+// What the library needs of <algorithm>. To include that takes a quarter as long as all else that programs with shadow
+// maps include of the standard library and of GLM.
+//
+//     detail::sort(points, [](glm::vec2 a, glm::vec2 b) { return a.x < b.x; });
+//
+
+namespace umbrage::detail {
+
+/// std::min, std::max and std::clamp, by value.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b) {
+    return b < a ? b : a;
+}
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b) {
+    return a < b ? b : a;
+}
+template <class T, class... More>
+[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b, More... more) {
+    return lesser(lesser(a, b), more...);
+}
+template <class T, class... More>
+[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b, More... more) {
+    return greater(greater(a, b), more...);
+}
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T limited(T v, T low, T high) {
+    return v < low ? low : (high < v ? high : v);
+}
+
+/// std::copy_n and std::fill_n.
+template <class T>
+UMBRAGE_INLINE constexpr void copy(const T* from, std::size_t count, T* to) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = from[i];
+}
+template <class T>
+UMBRAGE_INLINE constexpr void fill(T* to, std::size_t count, const T& value) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = value;
+}
+
+/// Merges runs twice as long in each turn; what is equal stays in its order.
+/// @param before   (const T&, const T&)
+template <class T, class Before>
+void sort(std::vector<T>& all, const Before& before) {
+    for (std::size_t run = 1; run < all.size(); run *= 2) {
+        const std::vector<T> from = all;
+        for (std::size_t to = 0; to < all.size();) {
+            std::size_t a = to, b = lesser(to + run, all.size());
+            const std::size_t end_a = b, end_b = lesser(b + run, all.size());
+            while (to < end_b)
+                all[to++] = a < end_a && !(b < end_b && before(from[b], from[a])) ? from[a++] : from[b++];
+        }
+    }
+}
+
+/// How many elements, from the first on, are `in_front`, as those behind them are not.
+template <class T, class InFront>
+[[nodiscard]] std::size_t count_in_front(const std::vector<T>& sorted, const InFront& in_front) {
+    std::size_t first = 0;
+    for (std::size_t last = sorted.size(); first < last;) {
+        const std::size_t middle = first + (last - first) / 2;
+        if (in_front(sorted[middle])) first = middle + 1;
+        else last = middle;
+    }
+    return first;
+}
+
+/// The element that would be all[rank], were all sorted; changes their order. None may be a NaN.
+/// @cite   Hoare: Algorithm 65: find, 1961
+template <class T>
+[[nodiscard]] T ranked(std::vector<T>& all, std::size_t rank) {
+    for (std::size_t first = 0, last = all.size() - 1; first < last;) {
+        const T pivot = all[rank];
+        std::size_t i = first, end = last + 1;
+        while (i < end) {
+            while (all[i] < pivot) ++i;
+            while (pivot < all[end - 1]) --end;
+            if (i >= end) break;
+            std::swap(all[i++], all[--end]);
+        }
+        if (rank < end) last = end - 1;
+        else if (rank >= i) first = i;
+        else break;
+    }
+    return all[rank];
+}
+
+}  // namespace umbrage::detail
 
 // ---- umbrage/shader/snippet.hpp
 // GLSL twins: what a snippet is. Texts are made of them in glsl.hpp.
@@ -208,12 +296,16 @@ class snippet_text {
 public:
     constexpr snippet_text(const char* written) : written_(written) {}
     constexpr snippet_text(std::string (*make)()) : make_(make) {}
+    /// Of several snippets, one for each number.
+    constexpr snippet_text(std::string (*make)(int), int number) : make_of_(make), number_(number) {}
 
-    [[nodiscard]] std::string str() const { return make_ ? make_() : written_; }
+    [[nodiscard]] std::string str() const { return make_of_ ? make_of_(number_) : (make_ ? make_() : written_); }
 
 private:
     const char* written_ = "";
     std::string (*make_)() = nullptr;
+    std::string (*make_of_)(int) = nullptr;
+    int number_ = 0;
 };
 
 /// One GLSL function (with its overloads) and what is known of it.
@@ -941,7 +1033,7 @@ template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
     { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
     { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
-    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest point of its texels, an axis, in texels
+    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest centre of a texel it reads, along an axis
     { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
 };
 
@@ -4110,6 +4202,24 @@ inline constexpr std::array<disc_point, Points> disc_points = [] {
                                            {12, 8},   {-4, 14}, {-7, -13}, {0, -15}}};
 }();
 
+namespace detail {
+
+/// disc_points of a number that is known when the program runs.
+class points_of_disc {
+public:
+    explicit points_of_disc(int points)
+        : first_(points == 8 ? &disc_points<8>[0] : (points == 16 ? &disc_points<16>[0] : &disc_points<32>[0])),
+          count_(points) {}
+    [[nodiscard]] const disc_point* begin() const { return first_; }
+    [[nodiscard]] const disc_point* end() const { return first_ + count_; }
+
+private:
+    const disc_point* first_;
+    int count_;
+};
+
+}  // namespace detail
+
 /// One of 16 turns for a pixel, each once in every 4 x 4 of them.
 /// @param pixel      whole numbers or positions in pixels; of 2^15 and more, and NaN, all have the first
 /// @return           (cos, sin) in 1/64, whole numbers, of length 63.6 to 64
@@ -4240,8 +4350,7 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 namespace detail {
 
 /// A disc's text, its points a line each.
-template <int Points>
-[[nodiscard]] std::string disc_text() {
+[[nodiscard]] inline std::string disc_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_disc$n: lit share of $n points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -4253,11 +4362,11 @@ UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
 )GLSL",
-                              {{'n', Points}});
-    for (const disc_point p : disc_points<Points>)
+                              {{'n', points}});
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
         append(text, "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
                {{'x', p.x}, {'y', p.y}});
-    append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}});
+    append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', points}});
     return text;
 }
 
@@ -4270,7 +4379,7 @@ inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "d
                                                         : "disc of 32 points, turned by the pixel",
                               .exactness = tier::a,
                               .needs = list<&is_compared, &disc_radius, &disc_tap, &lit>,
-                              .source = detail::disc_text<Points>};
+                              .source = {detail::disc_text, Points}};
 
 inline constexpr auto disc_snippets = list<&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>>;
 
@@ -4538,8 +4647,7 @@ UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 namespace detail {
 
 /// The search's text, its points a line each.
-template <int Points>
-[[nodiscard]] std::string blockers_text() {
+[[nodiscard]] inline std::string blockers_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_blockers$n: how many of a disc's $n points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
@@ -4549,8 +4657,8 @@ UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP vec2 turn) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
 )GLSL",
-                              {{'n', Points}});
-    for (const disc_point p : disc_points<Points>)
+                              {{'n', points}});
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
         append(text,
                "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), turn, radius), "
                "receiver);\n",
@@ -4566,7 +4674,7 @@ inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points ==
                                   .summary = "texels under a disc's points that lie before a receiver",
                                   .exactness = tier::a,
                                   .needs = list<&disc_tap, &blocker>,
-                                  .source = detail::blockers_text<Points>};
+                                  .source = {detail::blockers_text, Points}};
 
 inline constexpr auto penumbra_snippets =
     list<&distance_code, &penumbra, &blocker, &blockers<8>, &blockers<16>, &blockers<32>>;
@@ -4625,9 +4733,8 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-template <int Points>
-[[nodiscard]] std::string hardened_text() {
-    constexpr int n = Points;
+[[nodiscard]] inline std::string hardened_text(int points) {
+    const int n = points;
     return filled(R"GLSL(
 // umbrage_hardened$n: the share of $n points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
@@ -4642,8 +4749,7 @@ UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGH
                   {{'n', n}, {'c', n * n * n}, {'s', 2 * n * n}, {'w', 512 * n * n * n}});
 }
 
-template <int Points>
-[[nodiscard]] std::string dpcf_text() {
+[[nodiscard]] inline std::string dpcf_text(int points) {
     return filled(R"GLSL(
 // umbrage_dpcf$n: contact hardening by $n points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -4663,7 +4769,7 @@ UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return compared ? 1.0 - dark : 1.0;
 }
 )GLSL",
-                  {{'n', Points}});
+                  {{'n', points}});
 }
 
 }  // namespace detail
@@ -4672,7 +4778,7 @@ template <int Points>
 inline constexpr snippet hardened{.name = Points == 8 ? "hardened8" : (Points == 16 ? "hardened16" : "hardened32"),
                                   .summary = "a disc's share in shadow, steepened",
                                   .exactness = tier::a,
-                                  .source = detail::hardened_text<Points>};
+                                  .source = {detail::hardened_text, Points}};
 
 template <int Points>
 inline constexpr snippet dpcf{
@@ -4682,7 +4788,7 @@ inline constexpr snippet dpcf{
                               : "contact hardening by 32 points",
     .exactness = tier::a,
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened<Points>>,
-    .source = detail::dpcf_text<Points>};
+    .source = {detail::dpcf_text, Points}};
 
 inline constexpr auto dpcf_snippets = list<&hardened<8>, &hardened<16>, &hardened<32>, &dpcf<8>, &dpcf<16>, &dpcf<32>>;
 
@@ -4764,8 +4870,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-template <int Points>
-[[nodiscard]] std::string pcss_text() {
+[[nodiscard]] inline std::string pcss_text(int points) {
     return filled(R"GLSL(
 // umbrage_pcss$n: percentage-closer soft shadows, $n points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -4784,7 +4889,7 @@ UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 )GLSL",
-                  {{'n', Points}});
+                  {{'n', points}});
 }
 
 }  // namespace detail
@@ -4797,7 +4902,7 @@ inline constexpr snippet pcss{
                               : "percentage-closer soft shadows, 32 points twice",
     .exactness = tier::a,
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
-    .source = detail::pcss_text<Points>};
+    .source = {detail::pcss_text, Points}};
 
 inline constexpr auto pcss_snippets = list<&pcss<8>, &pcss<16>, &pcss<32>>;
 
@@ -5161,8 +5266,7 @@ inline void append_point(std::string& text, disc_point p, std::string_view befor
     text += after;
 }
 
-template <int Points>
-[[nodiscard]] std::string disc_hardware_text() {
+[[nodiscard]] inline std::string disc_hardware_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_disc_hardware$n: $n points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -5170,16 +5274,16 @@ template <int Points>
 UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP vec2 turn) {)GLSL",
-                              {{'n', Points}});
+                              {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
-    for (const disc_point p : disc_points<Points>)
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
         append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
     append(text, R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / $n.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL",
-           {{'n', Points}});
+           {{'n', points}});
     return text;
 }
 
@@ -5194,7 +5298,7 @@ inline constexpr snippet disc_hardware{
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&is_compared, &before_far, &lit_at>,
-    .source = detail::disc_hardware_text<Points>};
+    .source = {detail::disc_hardware_text, Points}};
 
 inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;
 
@@ -5334,8 +5438,7 @@ UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP 
 
 namespace detail {
 
-template <int Points>
-[[nodiscard]] std::string blockers_hardware_text() {
+[[nodiscard]] inline std::string blockers_hardware_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_blockers_hardware$n: of the texels at $n points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -5343,10 +5446,10 @@ template <int Points>
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                                UMBRAGE_HIGHP vec2 turn) {)GLSL",
-                              {{'n', Points}});
+                              {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n";
-    for (const disc_point p : disc_points<Points>)
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
         append_point(text, p, "    n += umbrage_blocker_at(map, size, ", ", receiver);\n");
     text += "    return compared ? n : vec2(0.0, 0.0);\n}\n";
     return text;
@@ -5363,7 +5466,7 @@ inline constexpr snippet blockers_hardware{
     .exactness = tier::c,
     .ulp = 1,
     .needs = list<&is_compared, &blocker_at>,
-    .source = detail::blockers_hardware_text<Points>};
+    .source = {detail::blockers_hardware_text, Points}};
 
 inline constexpr auto pcss_hardware_snippets =
     list<&blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
@@ -6302,9 +6405,8 @@ constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : 
     return filled(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
 }
 
-template <int Size>
-[[nodiscard]] std::string window_sum_text() {
-    constexpr int size = Size, middle = size / 2;
+[[nodiscard]] inline std::string window_sum_text(int size) {
+    const int middle = size / 2;
     std::string text = filled(R"GLSL(
 // umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -6358,7 +6460,7 @@ inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size ==
                                                            : "weighted count of lit texels under a window of 7 x 7",
                                     .exactness = tier::a,
                                     .needs = list<&is_compared, &lit_2x2>,
-                                    .source = detail::window_sum_text<Size>};
+                                    .source = {detail::window_sum_text, Size}};
 
 inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &window_sum<7>>;
 
@@ -6441,9 +6543,7 @@ namespace detail {
 }
 
 /// For each look-up along an axis: what the farther of its texels weighs, what both do, and where it lies.
-template <int Size>
-[[nodiscard]] std::string window_hardware_text() {
-    constexpr int size = Size;
+[[nodiscard]] inline std::string window_hardware_text(int size) {
     std::string text = filled(R"GLSL(
 // umbrage_window_hardware$n: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -6494,7 +6594,7 @@ inline constexpr snippet window_hardware{
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&is_compared, &before_far, &lit_at>,
-    .source = detail::window_hardware_text<Size>};
+    .source = {detail::window_hardware_text, Size}};
 
 inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;
 
@@ -6638,11 +6738,10 @@ inline constexpr auto window_needs<2> = list<&is_compared, &lit_2x2>;
 
 }  // namespace detail
 
-template <int Size>
-[[nodiscard]] std::string tent_text() {
-    if constexpr (Size == 2) return detail::text_3x3("tent2", "the window 1 1", "r * 8.0", "s * 8.0");
-    else if constexpr (Size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
-    else return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
+[[nodiscard]] inline std::string tent_text(int size) {
+    if (size == 2) return detail::text_3x3("tent2", "the window 1 1", "r * 8.0", "s * 8.0");
+    if (size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
+    return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
 }
 template <int Size>
 inline constexpr snippet tent{
@@ -6650,11 +6749,10 @@ inline constexpr snippet tent{
     .summary = Size == 2 ? "sliding window 1 1" : (Size == 3 ? "sliding window 1 2 1" : "sliding window 1 2 3 4 3 2 1"),
     .exactness = tier::a,
     .needs = detail::window_needs<Size>,
-    .source = tent_text<Size>};
+    .source = {tent_text, Size}};
 
-template <int Size>
-[[nodiscard]] std::string binomial_text() {
-    return Size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
+[[nodiscard]] inline std::string binomial_text(int size) {
+    return size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
                      : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
 }
 template <int Size>
@@ -6662,11 +6760,10 @@ inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
                                   .summary = Size == 5 ? "sliding window 1 4 6 4 1" : "sliding window 1 6 15 20 15 6 1",
                                   .exactness = tier::a,
                                   .needs = detail::window_needs<Size>,
-                                  .source = binomial_text<Size>};
+                                  .source = {binomial_text, Size}};
 
-template <int Size>
-[[nodiscard]] std::string castano_text() {
-    return Size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
+[[nodiscard]] inline std::string castano_text(int size) {
+    return size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
                                            "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
                      : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
                                            "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
@@ -6676,7 +6773,7 @@ inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
                                  .summary = Size == 5 ? "sliding window 1 3 4 3 1" : "sliding window 1 5 12 16 12 5 1",
                                  .exactness = tier::b,
                                  .needs = detail::window_needs<Size>,
-                                 .source = castano_text<Size>};
+                                 .source = {castano_text, Size}};
 
 template <int Size>
 [[nodiscard]] std::string castano_dyadic_text() {
@@ -8481,11 +8578,10 @@ using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff>;
 namespace umbrage {
 namespace detail {
 
-/// Row Taps - 1 of Pascal's triangle, from the middle on.
-template <int Taps>
-[[nodiscard]] constexpr int binomial_weight(int distance) {
+/// Row taps - 1 of Pascal's triangle, from the middle on.
+[[nodiscard]] constexpr int binomial_weight(int taps, int distance) {
     int weight = 1;
-    for (int i = 0; i < Taps / 2 - distance; ++i) weight = weight * (Taps - 1 - i) / (i + 1);
+    for (int i = 0; i < taps / 2 - distance; ++i) weight = weight * (taps - 1 - i) / (i + 1);
     return weight;
 }
 
@@ -8501,7 +8597,7 @@ template <int Taps, class Fetch>
 [[nodiscard]] auto blur_row(Fetch&& fetch, glm::ivec2 texel, glm::ivec2 step) {
     static_assert(Taps == 3 || Taps == 5 || Taps == 7);
     const auto weight = [](int i) {
-        return static_cast<float>(detail::binomial_weight<Taps>(i)) / static_cast<float>(1 << (Taps - 1));
+        return static_cast<float>(detail::binomial_weight(Taps, i)) / static_cast<float>(1 << (Taps - 1));
     };
     auto sum = fetch(texel) * weight(0);
     for (int i = 1; i <= Taps / 2; ++i) sum = sum + (fetch(texel - step * i) + fetch(texel + step * i)) * weight(i);
@@ -8524,8 +8620,7 @@ namespace glsl {
 
 template <int Taps>
 inline constexpr detail::short_name blur_row_name("blur_row$n", {{'n', Taps}});
-template <int Taps>
-[[nodiscard]] std::string blur_row_text() {
+[[nodiscard]] inline std::string blur_row_text(int taps) {
     std::string out =
         detail::filled(R"GLSL(
 // umbrage_blur_row$n: mean of $n texels in a row, weighed by a row of Pascal's triangle
@@ -8535,14 +8630,14 @@ UMBRAGE_HIGHP vec4 umbrage_blur_row$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                      UMBRAGE_HIGHP vec2 along) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * ($w.0 / $d.0);
 )GLSL",
-                       {{'n', Taps}, {'w', umbrage::detail::binomial_weight<Taps>(0)}, {'d', 1 << (Taps - 1)}});
-    for (int i = 1; i <= Taps / 2; ++i)
+                       {{'n', taps}, {'w', umbrage::detail::binomial_weight(taps, 0)}, {'d', 1 << (taps - 1)}});
+    for (int i = 1; i <= taps / 2; ++i)
         detail::append(out,
                        R"GLSL(    UMBRAGE_HIGHP vec4 before$i = umbrage_fetch_clamped(map, size, texel - along * $i.0);
     UMBRAGE_HIGHP vec4 after$i = umbrage_fetch_clamped(map, size, texel + along * $i.0);
     sum = sum + (before$i + after$i) * ($w.0 / $d.0);
 )GLSL",
-                       {{'i', i}, {'w', umbrage::detail::binomial_weight<Taps>(i)}, {'d', 1 << (Taps - 1)}});
+                       {{'i', i}, {'w', umbrage::detail::binomial_weight(taps, i)}, {'d', 1 << (taps - 1)}});
     out += "    return sum;\n}\n";
     return out;
 }
@@ -8551,7 +8646,7 @@ inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
                                   .summary = "mean of texels in a row",
                                   .exactness = tier::b,
                                   .needs = list<&fetch_clamped>,
-                                  .source = blur_row_text<Taps>};
+                                  .source = {blur_row_text, Taps}};
 
 inline constexpr snippet halve_texels{
     .name = "halve_texels",
@@ -10270,10 +10365,19 @@ inline constexpr auto overlay_texel_snippets = list<&overlay_texel>;
 // The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
 // none is called receiver by receiver.
 //
-// A form says what it needs of a map, the least side of a map that it can take, and makes its blocks, for a map of
-// floats or of rg and a direction. Blocks work in two steps, some blocks apart, so that texels have come from memory
-// when they are needed: place() says where to look and prefetches it; the second step loads it, compares and weighs.
-// A place() with a third argument gets the row of pixels that the block lies in; its column is a multiple of 64.
+// A form states what it needs of a map and the smallest width and height that it can take; with_blocks() hands its
+// blocks to `use`. Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs
+// floats, it gets const float_texels&. A form clamps texels to the map's edge; outside_map::lit is for visibility() to
+// see to, which asks the filter's reach().
+//
+// Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
+// where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
+// the row of pixels that the block lies in; its column is a multiple of 64. `count` receivers of a block are there:
+// loops go to `block` all the same, a number that compilers vectorise by, and what the rest gives is ignored. `Isa` is
+// the instruction set that the code is compiled for. Every function and lambda of it is UMBRAGE_INLINE: dispatch.hpp
+// says why.
+//
+// unit/simd/blocks/form and form/coherent hold each form to its filter, bit by bit.
 //
 //     template <>
 //     struct block_form<filters::pcf_2x2> {
@@ -10334,8 +10438,9 @@ struct depth_receivers {
 /// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
 ///                         the camera; the product is taken in double
 /// @throws std::invalid_argument  size below 1, or a matrix that is not finite
-[[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
-                                               glm::ivec2 size, clip_space clip) {
+template <class = detail::on_use>
+[[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                        glm::ivec2 size, clip_space clip) {
     detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
     const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     glm::dmat4 to_clip(1.0);
@@ -10355,6 +10460,7 @@ struct depth_receivers {
 /// One receiver of a camera's depth image.
 /// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
 /// @exactness     C, as project_coordinate
+template <class = detail::on_use>
 [[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
     const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
     const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
@@ -10962,7 +11068,22 @@ UMBRAGE_END_STRICT_MATH
 //     if (large) umbrage::detail::finish_streaming();
 //
 
+#if !defined(__GNUC__) && !defined(__clang__)
+#endif
+
 namespace umbrage::detail {
+
+/// An image that is written before it is read: others are filled with zeros first.
+template <class T>
+struct unset_image {
+    explicit unset_image(glm::ivec2 size)
+        : view(new T[static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)], size) {}
+    ~unset_image() { delete[] view.data; }
+    unset_image(const unset_image&) = delete;
+    unset_image& operator=(const unset_image&) = delete;
+
+    const image_view<T> view;
+};
 
 /// Whether an image is so large that non-temporal stores pay: others would read each cache line before it is
 /// overwritten, and evict what is read meanwhile.
@@ -11016,6 +11137,18 @@ UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) 
     if (count == block) std::memcpy(to, from, block * sizeof(float));
     else std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
 }
+
+/// A number that one thread hands to others, with all that it wrote before: std::atomic, whose header takes a tenth of
+/// the time that all of glm.hpp and the usual standard headers do.
+#if defined(__GNUC__) || defined(__clang__)
+inline int load_acquire(const int& from) { return __atomic_load_n(&from, __ATOMIC_ACQUIRE); }
+inline void store_release(int value, int& to) { __atomic_store_n(&to, value, __ATOMIC_RELEASE); }
+#else
+inline int load_acquire(const int& from) {
+    return std::atomic_ref(const_cast<int&>(from)).load(std::memory_order_acquire);
+}
+inline void store_release(int value, int& to) { std::atomic_ref(to).store(value, std::memory_order_release); }
+#endif
 
 /// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only
 /// prefetches has no effect, and a call of it is left out.
@@ -11123,6 +11256,7 @@ UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const bloc
 }
 
 /// receiver_at for a block.
+template <class = on_use>
 inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
     copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
     on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
@@ -11599,6 +11733,7 @@ struct disc_table {
         return (static_cast<std::uint32_t>(x) << 21) + static_cast<std::uint32_t>(y);
     }
 
+    template <class = on_use>
     disc_table(const disc_point* points, int count, float radius) : of(16) {
         const auto rho = static_cast<int>(disc_radius(radius));
         for (int y = 0; y < 16; ++y)
@@ -11765,10 +11900,7 @@ struct block_form<filters::rotated_disc> {
     template <depth_direction Direction, class ParallelFor, class Use>
     static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, ParallelFor&&,
                             const Use& use) {
-        const disc_point* points = filter.points == 8    ? disc_points<8>.data()
-                                   : filter.points == 16 ? disc_points<16>.data()
-                                                         : disc_points<32>.data();
-        const disc_table taps(points, filter.points, filter.radius_texels);
+        const disc_table taps(points_of_disc(filter.points).begin(), filter.points, filter.radius_texels);
         use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
     }
 };
@@ -11780,7 +11912,8 @@ struct block_form<filters::rotated_disc> {
 
 namespace umbrage::detail {
 
-/// Taps that are receivers' own texels, clamped to the map.
+/// Taps that are receivers' own texels, clamped to the map: floor(coord + offset), as four taps have it. That is not
+/// floor(coord) + offset where the sum rounds up to a whole number: filters over neighbours move the texel instead.
 struct placed_tap {
     alignas(64) std::int32_t offsets[block];
 
@@ -11904,7 +12037,8 @@ struct block_form<filters::four_tap> {
 //     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
 //
 // parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
-// threads, and returns when all are done. Pieces are bands of rows; no way to cut them changes a bit.
+// threads, and returns when all are done. Pieces are bands of rows, or strips of columns; no way to cut them changes a
+// bit.
 
 namespace umbrage {
 
@@ -11927,104 +12061,111 @@ namespace umbrage::detail {
 /// squares of 2^level texels in a row.
 struct box_bounds {
     int level, cells;
-    glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
-    image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
+    glm::ivec2 squares;             ///< of the map
+    glm::ivec2 last;                ///< of the starts, which begin cells - 1 squares in front of the map
+    unset_image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
 
     /// @param width   of the box
     template <class ParallelFor>
     box_bounds(image_view<const float> map, int width, ParallelFor&& parallel)
-        : level(width < 9 ? 1 : 2), cells(((1 << level) + width - 2) / (1 << level) + 1) {
-        const glm::ivec2 squares = (map.size + ((1 << level) - 1)) >> level;
-        last = squares + (cells - 2);
-        bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
-        image<std::int32_t> least({bounds.size().x, squares.y}), greatest(least.size());
-        parallel(squares.y, [&](int from, int to) {
-            const int blocks = (squares.x + block - 1) / block;
-            const auto columns = static_cast<std::size_t>(blocks * block) << level;
-            std::vector<std::int32_t> low(columns), high(columns),
-                padded(static_cast<std::size_t>(bounds.size().x + cells));
+        : level(width < 9 ? 1 : 2),
+          cells(((1 << level) + width - 2) / (1 << level) + 1),
+          squares((map.size + ((1 << level) - 1)) >> level),
+          last(squares + (cells - 2)),
+          bounds({(last.x + block) / block * block, last.y + 1}) {
+        parallel(bounds.view.size.y, [&](int from, int to) {
+            const int before = cells - 1, columns = bounds.view.size.x;
+            const int plane = columns + (before + block) / block * block;
+            const auto row_size = static_cast<std::size_t>(2 * plane);
+            std::vector<std::int32_t> row(row_size + static_cast<std::size_t>(before));
+            std::vector<std::int32_t> rows(row_size * static_cast<std::size_t>(cells));  // of squares, the latest
+            const auto row_at = [&](int y) UMBRAGE_INLINE { return rows.data() + (y + before) % cells * 2 * plane; };
             on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = from; y < to; ++y) {
-                    bounds_of_columns(map, y << level, low, high);
-                    along_row(low, squares.x, padded, least_of{}, least.view().row(y));
-                    along_row(high, squares.x, padded, greatest_of{}, greatest.view().row(y));
-                }
-            });
-        });
-        parallel(bounds.size().y, [&](int from, int to) {
-            const auto row = [&](const image<std::int32_t>& of, int y) {
-                return of.view().row(clamp_int(y - (cells - 1), squares.y - 1));
-            };
-            on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = from; y < to; ++y)
-                    for (int x = 0; x < bounds.size().x; x += block) {
-                        alignas(64) std::int32_t lows[block], highs[block];
-                        widen(least_of{}, lows, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
-                        widen(greatest_of{}, highs, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
-                        glm::vec2* out = bounds.view().row(y) + x;
-                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(lows[i]), from_order_key(highs[i])};
+                for (int y = from - before; y < to; ++y) {
+                    std::int32_t* const planes[]{row.data(), row.data() + plane};
+                    bounds_of_squares(map, clamp_int(y, squares.y - 1), planes);
+                    for (int x = 0; x < 2 * plane; x += block)
+                        widen(row_at(y) + x, [&](int k) UMBRAGE_INLINE { return row.data() + x + k; });
+                    if (y < from) continue;
+                    for (int x = 0; x < columns; x += block) {
+                        alignas(64) std::int32_t low[block], high[block];
+                        widen(low, [&](int k) UMBRAGE_INLINE { return row_at(y - k) + x; });
+                        widen(high, [&](int k) UMBRAGE_INLINE { return row_at(y - k) + plane + x; });
+                        glm::vec2* out = bounds.view.row(y) + x;
+                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(low[i]), from_order_key(~high[i])};
                     }
+                }
             });
         });
     }
 
 private:
+    static constexpr int deepest = 2;  ///< level
+
+    /// Of a row of squares: least depths and greatest, these as complements so that both are minima. Squares at the
+    /// border are repeated, as far as boxes reach.
+    UMBRAGE_INLINE void bounds_of_squares(const image_view<const float>& map, int y,
+                                          std::int32_t* const planes[2]) const {
+        for (int x = 0; x < squares.x; x += block) {
+            alignas(64) std::int32_t parts[2][block << deepest];
+            for (int i = 0; i < block << level; i += block)
+                bounds_of_columns(map, {(x << level) + i, y << level}, parts[0] + i, parts[1] + i);
+            for (int p = 0; p < 2; ++p) {
+                for (int left = block << level; left > block; left /= 2)
+                    for (int i = 0; i < left; i += 2 * block) halve(parts[p] + i, parts[p] + i / 2);
+                std::memcpy(planes[p] + cells - 1 + x, parts[p], sizeof(std::int32_t) * block);
+            }
+        }
+        for (int p = 0; p < 2; ++p) {
+            std::int32_t *const first = planes[p] + (cells - 1), *const end = first + squares.x;
+            fill(planes[p], std::size_t(cells - 1), *first);
+            fill(end, std::size_t(bounds.view.size.x - squares.x), end[-1]);
+        }
+    }
+
     /// Over 2^level rows; the last row and column are repeated.
-    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, int y, std::vector<std::int32_t>& low,
-                                          std::vector<std::int32_t>& high) const {
-        for (int x = 0; x < static_cast<int>(low.size()); x += block) {
-            alignas(64) std::int32_t lows[block], highs[block], keys[block];
-            for (int k = 0; k < 1 << level; ++k) {
-                const float* depths = map.row(clamp_int(y + k, map.size.y - 1)) + x;
-                alignas(64) float repeated[block];
-                if (x + block > map.size.x) {
-                    for (int i = 0; i < block; ++i) repeated[i] = depths[clamp_int(x + i, map.size.x - 1) - x];
-                    depths = repeated;
-                }
-                for (int i = 0; i < block; ++i) {
-                    keys[i] = order_key(depths[i]);
-                    lows[i] = k ? least_of{}(lows[i], keys[i]) : keys[i];
-                    highs[i] = k ? greatest_of{}(highs[i], keys[i]) : keys[i];
-                }
-            }
-            std::memcpy(&low[std::size_t(x)], lows, sizeof lows);
-            std::memcpy(&high[std::size_t(x)], highs, sizeof highs);
+    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, glm::ivec2 first, std::int32_t* low,
+                                          std::int32_t* high) const {
+        constexpr int rows = 1 << deepest;
+        alignas(64) float repeated[rows][block];
+        const float* depths[rows];
+        for (int k = 0; k < rows; ++k) {
+            const float* row = map.row(clamp_int(first.y + (k & ((1 << level) - 1)), map.size.y - 1));
+            depths[k] = row + first.x;
+            prefetch_bytes(depths[k], map.stride * (1 << level), block * sizeof(float));
+            if (first.x + block <= map.size.x) continue;
+            for (int i = 0; i < block; ++i) repeated[k][i] = row[clamp_int(first.x + i, map.size.x - 1)];
+            depths[k] = repeated[k];
+        }
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t a = order_key(depths[0][i]), b = order_key(depths[1][i]);
+            const std::int32_t c = order_key(depths[2][i]), d = order_key(depths[3][i]);
+            low[i] = least(least(a, b), least(c, d));
+            high[i] = ~greatest(greatest(a, b), greatest(c, d));
         }
     }
 
-    /// to[x] = pick over the `cells` squares from x - (cells - 1) on, those at the border repeated.
-    template <class Pick>
-    UMBRAGE_INLINE void along_row(std::vector<std::int32_t>& columns, int squares, std::vector<std::int32_t>& padded,
-                                  Pick pick, std::int32_t* to) const {
-        auto count = static_cast<int>(columns.size());
-        for (int halving = 0; halving < level; ++halving) {
-            count /= 2;
-            for (int x = 0; x < count; x += block) {
-                alignas(64) std::int32_t halves[block];
-                const std::int32_t* pairs = &columns[std::size_t(2 * x)];
-                for (int i = 0; i < block; ++i) halves[i] = pick(pairs[2 * i], pairs[2 * i + 1]);
-                std::memcpy(&columns[std::size_t(x)], halves, sizeof halves);
-            }
-        }
-        const auto before = padded.begin() + (cells - 1);
-        std::fill(padded.begin(), before, columns.front());
-        std::copy_n(columns.begin(), squares, before);
-        std::fill(before + squares, padded.end(), columns[std::size_t(squares - 1)]);
-        for (int x = 0; x < bounds.size().x; x += block)
-            widen(pick, to + x, [&](int k) UMBRAGE_INLINE { return padded.data() + k + x; });
+    static UMBRAGE_INLINE void halve(const std::int32_t* pairs, std::int32_t* to) {
+        alignas(64) std::int32_t halves[block];
+        for (int i = 0; i < block; ++i) halves[i] = least(pairs[2 * i], pairs[2 * i + 1]);
+        std::memcpy(to, halves, sizeof halves);
     }
 
-    /// to[i] = pick of from(k)[i] over k < cells, for a block.
-    template <class Pick, class From>
-    UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
+    /// to[i] = least of from(k)[i] over k < cells, for a block.
+    template <class From>
+    UMBRAGE_INLINE void widen(std::int32_t* to, const From& from) const {
         alignas(64) std::int32_t best[block];
         std::memcpy(best, from(0), sizeof best);
         for (int k = 1; k < cells; ++k) {
             const std::int32_t* other = from(k);
-            for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
+            for (int i = 0; i < block; ++i) best[i] = least(best[i], other[i]);
         }
         std::memcpy(to, best, sizeof best);
     }
+
+    static UMBRAGE_INLINE std::int32_t least(std::int32_t a, std::int32_t b) { return least_of{}(a, b); }
+    static UMBRAGE_INLINE std::int32_t greatest(std::int32_t a, std::int32_t b) { return greatest_of{}(a, b); }
 };
 
 /// Of filters that are known by their reach alone: texels whose centres lie so far from a receiver, an axis, and how
@@ -12231,9 +12372,14 @@ template <class Test>
 UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std::int32_t* offsets,
                                               const std::int32_t* compared, const float* depths, float* visibility,
                                               std::int32_t* open) {
-    const texel_bytes memory(tree.bounds.view());
+    const texel_bytes<const glm::vec2> memory(tree.bounds.view);
     alignas(64) glm::vec2 bounds[block];
-    std::int32_t any = 0;
+    std::int32_t some = 0, any = 0;
+    for (int i = 0; i < block; ++i) some |= compared[i];
+    if (!some) {  // as all over the sky
+        for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
+        return 0;
+    }
     gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
     for (int i = 0; i < block; ++i) {
         const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
@@ -12258,7 +12404,7 @@ struct hierarchical_blocks {
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const texel_bytes memory(tree.bounds.view());
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
         const int before = tree.cells - 1, level = tree.level;
         const glm::ivec2 last = tree.last;
         UMBRAGE_NO_OVERLAP
@@ -12317,7 +12463,7 @@ struct hierarchical_disc_blocks {
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
-        const texel_bytes memory(tree.bounds.view());
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
         const int before = tree.cells - 1, shift = 8 + tree.level, ahead = reached.before();
         const glm::ivec2 last = tree.last;
         every_point.locate(receivers, at.points, pixel_y);
@@ -12477,9 +12623,7 @@ struct soft_blocks : disc_blocks<Direction> {
 
     /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
     static disc_table turned_points(const Filter& filter) {
-        return {filter.points == 8 ? disc_points<8>.data()
-                                   : (filter.points == 16 ? disc_points<16>.data() : disc_points<32>.data()),
-                filter.points, 4.0f};
+        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
     }
     soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
         : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
@@ -12656,7 +12800,8 @@ template <int Taps>
 /// @throws std::invalid_argument  otherwise
 /// @formula       weights[i] = exp(-i^2 / (2 sigma^2)) / sum, in double
 /// @exactness     C: exp
-[[nodiscard]] inline blur_kernel make_gaussian_kernel(int taps, float sigma) {
+template <class = detail::on_use>
+[[nodiscard]] blur_kernel make_gaussian_kernel(int taps, float sigma) {
     if (taps < 1 || taps % 2 == 0 || !(sigma > 0.0f))
         detail::fail("umbrage::make_gaussian_kernel: taps even or below 1, or sigma not above 0");
     const auto bell = [s = static_cast<double>(sigma)](int i) { return std::exp(-0.5 * (i / s) * (i / s)); };
@@ -12732,8 +12877,9 @@ UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap&
 }
 
 /// Rows first <= y < last: each along y into a line, and that along x; one body for texels of any channels.
-inline void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int channels,
-                      int first, int last) {
+template <class = on_use>
+void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int channels, int first,
+               int last) {
     const int radius = static_cast<int>(kernel.weights.size()) - 1, width = from.size.x, height = from.size.y;
     const int border = radius * channels;
     std::vector<float> padded(static_cast<std::size_t>(width + 2 * border));
@@ -12900,7 +13046,8 @@ enum class near_plane { clips, clamps };
 /// @param model       model to world
 /// @exactness         the product in double, rounded once: far from the world's origin a float product would lose what
 ///                    subtracting the camera's or the light's place leaves
-[[nodiscard]] inline glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
+template <class = detail::on_use>
+[[nodiscard]] glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
     return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));
 }
 
@@ -13026,6 +13173,7 @@ public:
     /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes, and those that are
     /// not finite, become `outside_vertex`.
     /// @exactness  the bits of one by one
+    template <class = on_use>
     void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
         using bits = std::int64_t;
         constexpr bits minus_zero = std::numeric_limits<bits>::min();
@@ -13116,6 +13264,7 @@ namespace umbrage {
 class triangle_weights {
 public:
     /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
+    template <class = detail::on_use>
     triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      unsigned triangle)
         : top_(clip.origin == texture_origin::top ? size.y : 0),
@@ -13124,16 +13273,16 @@ public:
         const detail::projection project(world_to_clip, clip, size);
         for (glm::length_t i = 0; i < 3; ++i)
             vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
-        const bool finite = std::all_of(vertices_.begin(), vertices_.end(), [](const glm::dvec4& v) {
-            return is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
-        });
-        if (!finite) vertices_.fill(glm::dvec4(0));
+        bool finite = true;
+        for (const glm::dvec4& v : vertices_) finite = finite && is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
+        if (!finite) vertices_ = {};
     }
 
     /// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets
     ///              the weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
     /// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
     /// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
+    template <class = detail::on_use>
     [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
         const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
         const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
@@ -13154,8 +13303,9 @@ private:
 };
 
 /// triangle_weights for a single texel.
-[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
-                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
+template <class = detail::on_use>
+[[nodiscard]] glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                                     clip_space clip, glm::ivec2 texel, unsigned triangle) {
     return triangle_weights(size, mesh, world_to_clip, clip, triangle)(texel);
 }
 
@@ -13237,6 +13387,7 @@ public:
     /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. With n the bounds' larger side in
     ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
     ///             within 2^-48 n m of the plane through the snapped vertices
+    template <class = on_use>
     void set_up(const texel_bounds& bounds, cull_mode cull) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
             set_up_bounds(bounds);
@@ -13288,8 +13439,8 @@ public:
             for (side& s : sides) {
                 for (; s.at > 0 && s.value >= s.step; s.value -= s.step) --s.at;
                 for (; s.at < width && s.value < 0; s.value += s.step) ++s.at;
-                if (s.begins) first = std::max(first, s.at);
-                else last = std::min(last, s.at);
+                if (s.begins) first = greater(first, s.at);
+                else last = lesser(last, s.at);
                 s.value += s.step_up;
             }
             if (first < last) row(first_y[i] + y, first_x[i] + first, first_x[i] + last);
@@ -13323,13 +13474,13 @@ private:
             x_[0][i] = pick(ax, bx, cx), x_[1][i] = pick(bx, cx, ax), x_[2][i] = pick(cx, ax, bx);
             y_[0][i] = pick(ay, by, cy), y_[1][i] = pick(by, cy, ay), y_[2][i] = pick(cy, ay, by);
 
-            const std::int32_t left = std::min(std::min(ax, bx), cx), end = std::max(std::max(ax, bx), cx);
-            const std::int32_t bottom = std::min(std::min(ay, by), cy), top = std::max(std::max(ay, by), cy);
+            const std::int32_t left = lesser(lesser(ax, bx), cx), end = greater(greater(ax, bx), cx);
+            const std::int32_t bottom = lesser(lesser(ay, by), cy), top = greater(greater(ay, by), cy);
             width_[i] = end - left, height_[i] = top - bottom;
-            side_[i] = std::max(end - left, top - bottom);
-            const std::int32_t from_x = std::max((left + subtexels - 1 - centre) >> 8, min_x);
-            const std::int32_t from_y = std::max((bottom + subtexels - centre) >> 8, min_y);
-            const std::int32_t to_x = std::min((end - centre) >> 8, max_x), to_y = std::min((top - centre) >> 8, max_y);
+            side_[i] = greater(end - left, top - bottom);
+            const std::int32_t from_x = greater((left + subtexels - 1 - centre) >> 8, min_x);
+            const std::int32_t from_y = greater((bottom + subtexels - centre) >> 8, min_y);
+            const std::int32_t to_x = lesser((end - centre) >> 8, max_x), to_y = lesser((top - centre) >> 8, max_y);
             first_x[i] = from_x, first_y[i] = from_y;
             columns[i] = to_x - from_x + 1;
             rows[i] = (to_y - from_y + 1) & -std::int32_t((to_x >= from_x) & (to_y >= from_y));
@@ -13470,8 +13621,8 @@ public:
             last_x_[i] = ((columns - 1) & is_small) | ~is_small;
             last_y_[i] = ((rows - 1) & is_small) | ~is_small;
             count -= is_small;
-            most_columns = std::max(most_columns, columns & is_small);
-            most_rows = std::max(most_rows, rows & is_small);
+            most_columns = greater(most_columns, columns & is_small);
+            most_rows = greater(most_rows, rows & is_small);
         }
         if (count >= enough) columns_ = most_columns, rows_ = most_rows;
     }
@@ -13583,7 +13734,7 @@ private:
 
     /// Prefetches the texels of a triangle: their latency is about the time that it takes to draw another small one.
     UMBRAGE_INLINE void expect(const triangles& batch, int i) const {
-        const int last = batch.first_y[i] + std::min(batch.rows[i], 16);
+        const int last = batch.first_y[i] + lesser(batch.rows[i], 16);
         for (int y = batch.first_y[i]; y < last; ++y) prefetch_line(row(y) + batch.first_x[i]);
     }
 
@@ -13660,16 +13811,16 @@ private:
                     float low = 0.0f, high = static_cast<float>(height);
                     const std::int32_t start[] = {e0[0], e1[0], e2[0]};
                     for (int k = 0; k < 3; ++k) {
-                        const std::int32_t best = start[k] + std::max(0, right[k] * (Lanes - 1));
+                        const std::int32_t best = start[k] + greater(0, right[k] * (Lanes - 1));
                         const float crossed = static_cast<float>(best) * batch.per_row[k][i];
                         low = up[k] > 0 && crossed > low ? crossed : low;
                         high = up[k] < 0 && crossed < high ? crossed : high;
                     }
-                    first = static_cast<int>(low + 0.99f), last = std::min(static_cast<int>(high + 1.01f), height);
+                    first = static_cast<int>(low + 0.99f), last = lesser(static_cast<int>(high + 1.01f), height);
                     if (first >= last) continue;  // and no step to a first row far beyond the tile
                 }
                 // At the image's borders other texels, as many, which get the same bits again.
-                const int within = std::min(std::max(x, 0), width_ - Lanes), moved = within - x;
+                const int within = lesser(greater(x, 0), width_ - Lanes), moved = within - x;
                 ints f0 = e0, f1 = e1, f2 = e2;
                 const double z = corner + dy * (y + first - first_y);
                 if ((moved | first) != 0) {
@@ -13703,9 +13854,9 @@ private:
             for (int x = from; x < end; x += tile_columns) {
                 for (int k = 0; k < 3; ++k) {  // as near to 0 as a tile's steps leave the sign
                     constexpr std::int64_t limit = 1 << 30;
-                    e[k] = static_cast<std::int32_t>(std::clamp(batch.edge_at(k, i, x, y), -limit, limit));
+                    e[k] = static_cast<std::int32_t>(limited(batch.edge_at(k, i, x, y), -limit, limit));
                 }
-                draw_tile(x, y, std::min(x + tile_columns, end), std::min(first_y + rows - y, tile_rows), e);
+                draw_tile(x, y, lesser(x + tile_columns, end), lesser(first_y + rows - y, tile_rows), e);
             }
     }
 
@@ -13750,6 +13901,7 @@ enum class near_side { behind, before };
 /// The part of a triangle inside all planes, or of the near plane outside, where snap() gives it that plane's depth.
 /// @param a,b,c   homogeneous texels
 /// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
+template <class = on_use>
 [[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
                                                    const glm::dvec4& c, unsigned planes = ~0u,
                                                    near_side side = near_side::behind) {
@@ -13773,9 +13925,13 @@ enum class near_side { behind, before };
     clipped_polygon polygon;
     if (count < 3) return polygon;
     polygon.count = count;
-    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = project.snap(points[std::size_t(i)]);
-    const auto last = polygon.vertices.begin() + count;
-    std::rotate(polygon.vertices.begin(), std::min_element(polygon.vertices.begin(), last), last);
+    std::array<snapped_vertex, 3 + projection::planes> snapped;
+    int smallest = 0;
+    for (int i = 0; i < count; ++i) {
+        snapped[std::size_t(i)] = project.snap(points[std::size_t(i)]);
+        if (snapped[std::size_t(i)] < snapped[std::size_t(smallest)]) smallest = i;
+    }
+    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = snapped[std::size_t((smallest + i) % count)];
     return polygon;
 }
 
@@ -13825,25 +13981,25 @@ struct index_range {
     unsigned lowest = ~0u, highest = 0;
 
     void include(const index_range& other) {
-        lowest = std::min(lowest, other.lowest), highest = std::max(highest, other.highest);
+        lowest = lesser(lowest, other.lowest), highest = greater(highest, other.highest);
     }
     [[nodiscard]] std::size_t count() const { return std::size_t(highest) - lowest + 1; }
 };
 
-[[nodiscard]] inline index_range indices_of(std::span<const glm::uvec3> triangles) {
+template <class = on_use>
+[[nodiscard]] index_range indices_of(const glm::uvec3* first, const glm::uvec3* last) {
     index_range range;
     on_best_isa([&](auto) UMBRAGE_INLINE {
-        const glm::uvec3* t = triangles.data();
-        const glm::uvec3* const last = t + triangles.size();
+        const glm::uvec3 *t = first, *const end = last;
         unsigned low = ~0u, high = 0;
-        for (; last - t >= block; t += block)
+        for (; end - t >= block; t += block)
             for (int i = 0; i < block; ++i)
                 for (glm::length_t k = 0; k < 3; ++k) {
                     low = low < t[i][k] ? low : t[i][k];
                     high = high < t[i][k] ? t[i][k] : high;
                 }
-        for (; t < last; ++t)
-            for (glm::length_t k = 0; k < 3; ++k) low = std::min(low, (*t)[k]), high = std::max(high, (*t)[k]);
+        for (; t < end; ++t)
+            for (glm::length_t k = 0; k < 3; ++k) low = lesser(low, (*t)[k]), high = greater(high, (*t)[k]);
         range = {low, high};
     });
     return range;
@@ -13854,6 +14010,7 @@ struct drawn_triangle {
     std::size_t instance, triangle;
 };
 
+template <class = on_use>
 class snapped_chunk {
 public:
     explicit snapped_chunk(const mesh_view& mesh) : mesh_(mesh) {}
@@ -13864,15 +14021,15 @@ public:
     /// @param indices     of the triangles that are taken
     void take(std::size_t first, std::span<const projection> instances, std::size_t most, const index_range& indices) {
         first_ = first;
-        triangles_ = std::min(most, mesh_.triangles.size() - first);
+        triangles_ = lesser(most, mesh_.triangles.size() - first);
         const std::size_t corners = 3 * triangles_, range = indices.count();
         by_corner_ = corners < range;
         lowest_ = indices.lowest;
-        used_ = std::min(corners, range);
+        used_ = lesser(corners, range);
         stride_ = (used_ + block - 1) / block * block;
         const bool whole = triangles_ == mesh_.triangles.size();
-        const std::size_t room = whole ? std::max(most / std::max(triangles_, stride_), std::size_t(1)) : 1;
-        instances_ = instances.first(std::min(room, instances.size()));
+        const std::size_t room = whole ? greater(most / greater(triangles_, stride_), std::size_t(1)) : 1;
+        instances_ = instances.first(lesser(room, instances.size()));
     }
 
     [[nodiscard]] std::size_t instances() const { return instances_.size(); }
@@ -13884,10 +14041,10 @@ public:
         vertices_.make(blocks * block);
         constexpr std::size_t piece = 64;  // that a thread takes at a time
         parallel(static_cast<int>((blocks + piece - 1) / piece), [&](int begin, int end) {
-            for (std::size_t i = std::size_t(begin) * piece; i < std::min(std::size_t(end) * piece, blocks); ++i) {
+            for (std::size_t i = std::size_t(begin) * piece; i < lesser(std::size_t(end) * piece, blocks); ++i) {
                 const std::size_t instance = i * block / stride_, vertex = i * block - instance * stride_;
                 alignas(64) glm::vec3 positions[block];
-                for (std::size_t k = 0; k < block; ++k) positions[k] = position(std::min(vertex + k, used_ - 1));
+                for (std::size_t k = 0; k < block; ++k) positions[k] = position(lesser(vertex + k, used_ - 1));
                 instances_[instance].snap(positions, vertices_.data() + i * block);
             }
         });
@@ -13986,6 +14143,7 @@ UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
 /// The triangles of a mesh, once for each of some matrices, chunk by chunk.
+template <class OnUse = on_use>
 class snapped_mesh {
 public:
     /// @param to_clip   of each instance; those that are not finite draw nothing
@@ -13998,8 +14156,10 @@ public:
         if (mesh.triangles.empty()) return;
         indices_.resize((mesh.triangles.size() + piece - 1) / piece);
         parallel(static_cast<int>(indices_.size()), [&](int first, int last) {
+            const glm::uvec3* const triangles = mesh.triangles.data();
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
-                indices_[i] = indices_of(piece_of(mesh.triangles, i));
+                indices_[i] =
+                    indices_of(triangles + i * piece, triangles + lesser((i + 1) * piece, mesh.triangles.size()));
         });
         if (indices_from(0, mesh.triangles.size()).highest >= mesh.positions.size())
             detail::fail("umbrage::rasterize: a triangle's index is out of range");
@@ -14018,7 +14178,7 @@ public:
         const std::size_t step = is_serial<ParallelFor> && !shares_vertices() ? piece : several_pieces;
         for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
             for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
-                chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step,
+                chunk_.take(first, {instances_.data() + instance, instances_.size() - instance}, step,
                             indices_from(first, step));
                 chunk_.snap(parallel);
                 use();
@@ -14029,38 +14189,31 @@ public:
     /// @param draw   (const triangles&)
     template <class Draw>
     void for_each_batch(const Draw& draw) const {
-        for_each_batch(
-            {{0, 0}, size_}, chunk_.count(), [](std::size_t k) { return unsigned(k); },
-            [](const auto&...) { return true; }, draw);
+        in_batches({{0, 0}, size_}, draw, [&](const auto& add) {
+            for (unsigned i = 0; i < chunk_.count(); ++i) {
+                const drawn_triangle at = chunk_.place_of(i);
+                const corners c = corners_of(at);
+                if (c.crossed == 0) add(c.a, c.b, c.c, unsigned(at.triangle));
+                else for_each_part(at, c, add);
+            }
+        });
     }
 
     /// The chunk band by band, where that keeps texels in the cache or lets threads draw side by side; else as above.
     template <class ParallelFor, class Draw>
     void for_each_batch_in_bands(ParallelFor&& parallel, const Draw& draw) {
-        const int rows = std::clamp(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
+        const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
         const bool coherent = is_coherent(rows);
         if (is_serial<ParallelFor> && (bands == 1 || coherent)) return for_each_batch(draw);
-        const unsigned length = coherent ? run_of_many : 1;
+        const unsigned length = coherent ? run_length : 1;
         sort_into_bands(rows, bands, length, parallel);
         parallel(bands, [&](int first, int last) {
             for (int band = first; band < last; ++band) {
-                const texel_bounds bounds{{0, band * rows}, {size_.x, std::min((band + 1) * rows, size_.y)}};
-                const int bottom = bounds.first.y * subtexels, top = bounds.last.y * subtexels;
-                for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands)) {
-                    const std::vector<unsigned>& list = lists_[i];
-                    if (list.empty()) continue;
-                    const std::size_t count = (list.size() - 1) * length + run_from(list.back(), length).size();
-                    const auto next = [&](std::size_t k) {
-                        if (coherent) return list[k / run_of_many] + unsigned(k % run_of_many);
-                        expect(list, k);
-                        return list[k];
-                    };
-                    const auto is_wanted = [&](const snapped_vertex& a, const snapped_vertex& b,
-                                               const snapped_vertex& c) {
-                        return std::max({a.y, b.y, c.y}) >= bottom && std::min({a.y, b.y, c.y}) <= top;
-                    };
-                    for_each_batch(bounds, count, next, is_wanted, draw);
-                }
+                const texel_bounds bounds{{0, band * rows}, {size_.x, lesser((band + 1) * rows, size_.y)}};
+                in_batches(bounds, draw, [&](const auto& add) {
+                    for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
+                        add_from(lists_[i], length, bounds, add);
+                });
             }
         });
     }
@@ -14071,21 +14224,16 @@ private:
     static constexpr int band_texels = 1 << 16, band_rows = 64;
     static constexpr unsigned piece = 1 << 16;  // triangles that one thread reads or sorts at a time
     static constexpr std::size_t several_pieces = 16 * piece;
-    static constexpr unsigned run_of_many = 64;
+    static constexpr unsigned many = 64, run_length = 16;         // looked at; sorted: longer ones lie in more bands
     static constexpr unsigned before = 1u << projection::z_near;  // the bit of that plane
 
     /// Triangles of the chunk that follow each other.
     struct run {
         unsigned first, last;
-
         [[nodiscard]] unsigned size() const { return last - first; }
     };
     [[nodiscard]] run run_from(unsigned first, unsigned length) const {
-        return {first, std::min(first + length, chunk_.count())};
-    }
-
-    [[nodiscard]] static std::span<const glm::uvec3> piece_of(std::span<const glm::uvec3> triangles, std::size_t i) {
-        return triangles.subspan(i * piece, std::min(std::size_t(piece), triangles.size() - i * piece));
+        return {first, lesser(first + length, chunk_.count())};
     }
     /// Of as many triangles, or of those that are left, from the first of a piece on.
     [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
@@ -14098,12 +14246,16 @@ private:
     /// Whether pieces reach farther over the mesh's vertices than they have corners, and several together do not.
     [[nodiscard]] bool shares_vertices() const {
         const index_range one = indices_from(0, piece), several = indices_from(0, several_pieces);
-        return one.count() > 3 * piece && several.count() < 3 * std::min(several_pieces, mesh_.triangles.size());
+        return one.count() > 3 * piece && several.count() < 3 * lesser(several_pieces, mesh_.triangles.size());
     }
 
-    [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
-                                                 const snapped_vertex& c) {
-        return planes_outside(a) | planes_outside(b) | planes_outside(c);
+    /// Of a triangle, and the planes that one of them is outside of.
+    struct corners {
+        const snapped_vertex &a, &b, &c;
+        unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
+    };
+    [[nodiscard]] UMBRAGE_INLINE corners corners_of(const drawn_triangle& at) const {
+        return {chunk_.vertex(at, 0), chunk_.vertex(at, 1), chunk_.vertex(at, 2)};
     }
 
     /// Whether nothing is drawn of triangles whose corners are all outside of these planes, of which there may be none.
@@ -14113,106 +14265,117 @@ private:
 
     /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
     /// before it; nothing where it is outside of another plane, or not finite.
-    /// @param use   (const clipped_polygon&), of three vertices or more
+    /// @param use   (a, b, c, unsigned triangle), for each triangle of it
     template <class Use>
-    void for_each_part(const drawn_triangle& at, const snapped_vertex& a, const snapped_vertex& b,
-                       const snapped_vertex& c, unsigned crossed, const Use& use) const {
-        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
-        if (is_out_of_sight(beyond) || (crossed & projection::nowhere)) return;
+    void for_each_part(const drawn_triangle& at, const corners& c, const Use& use) const {
+        const unsigned beyond = planes_outside(c.a) & planes_outside(c.b) & planes_outside(c.c);
+        if (is_out_of_sight(beyond) || (c.crossed & projection::nowhere)) return;
         const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
         const auto part = [&](near_side side) {
-            const clipped_polygon polygon = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), crossed, side);
-            if (polygon.count > 0) use(polygon);
+            const auto [v, count] = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), c.crossed, side);
+            for (std::size_t k = 1; int(k) + 1 < count; ++k) use(v[0], v[k], v[k + 1], unsigned(at.triangle));
         };
         if (!beyond) part(near_side::behind);
-        if (at_near_ == near_plane::clamps && (crossed & before)) part(near_side::before);
+        if (at_near_ == near_plane::clamps && (c.crossed & before)) part(near_side::before);
     }
 
-    /// @param next   (std::size_t k) -> the k-th triangle
-    /// @param is_wanted   whether a triangle with these corners, which crosses no planes, may lie in the bounds' rows
-    template <class Next, class IsWanted, class Draw>
-    void for_each_batch(const texel_bounds& bounds, std::size_t count, const Next& next, const IsWanted& is_wanted,
-                        const Draw& draw) const {
+    /// @param for_each   (add), which calls add(a, b, c, unsigned triangle) for each that is drawn
+    template <class Draw, class ForEach>
+    void in_batches(const texel_bounds& bounds, const Draw& draw, const ForEach& for_each) const {
         triangles batch;
-        const auto add = [&](const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c, unsigned i) {
-            batch.add(a, b, c, i);
-            if (!batch.full()) return;
+        const auto finish = [&] {
             batch.set_up(bounds, cull_);
             draw(batch);
             batch.count = 0;
         };
-        for (std::size_t k = 0; k < count; ++k) {
-            const drawn_triangle at = chunk_.place_of(next(k));
-            const unsigned id = static_cast<unsigned>(at.triangle);
-            const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            if (const unsigned crossed = planes_crossed(a, b, c)) {
-                for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
-                    for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
-                        add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], id);
-                });
-            } else if (is_wanted(a, b, c)) {
-                add(a, b, c, id);
+        for_each([&](const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c, unsigned triangle)
+                     UMBRAGE_INLINE {
+                         batch.add(a, b, c, triangle);
+                         if (batch.full()) finish();
+                     });
+        if (batch.count > 0) finish();
+    }
+
+    /// What may be seen in a band, of a piece.
+    struct band_list {
+        struct part {
+            snapped_vertex a, b, c;
+            unsigned triangle;
+        };
+        std::vector<unsigned> runs;  // where they begin; without triangles that cross planes
+        std::vector<part> parts;     // what is left of those
+    };
+
+    template <class Add>
+    void add_from(const band_list& list, unsigned length, const texel_bounds& bounds, const Add& add) const {
+        const int bottom = bounds.first.y * subtexels, top = bounds.last.y * subtexels;
+        for (std::size_t k = 0; k < list.runs.size(); ++k) {
+            if (length == 1) expect(list.runs, k);
+            const run some = run_from(list.runs[k], length);
+            for (unsigned i = some.first; i < some.last; ++i) {
+                const drawn_triangle at = chunk_.place_of(i);
+                const auto [a, b, c, crossed] = corners_of(at);
+                if (crossed == 0 && greater(a.y, b.y, c.y) >= bottom && lesser(a.y, b.y, c.y) <= top)
+                    add(a, b, c, unsigned(at.triangle));
             }
         }
-        if (batch.count == 0) return;
-        batch.set_up(bounds, cull_);
-        draw(batch);
+        for (const auto& part : list.parts) add(part.a, part.b, part.c, part.triangle);
     }
 
     /// Whether runs of many triangles lie in few bands, by a look at some.
     [[nodiscard]] bool is_coherent(int rows_a_band) const {
         constexpr unsigned looks = 16;
-        const unsigned step = std::max(chunk_.count() / looks, run_of_many);
+        const unsigned step = greater(chunk_.count() / looks, many);
         int covered = 0, allowed = 0;
         for (unsigned i = 0; i < chunk_.count(); i += step, allowed += 2 * rows_a_band) {
-            const glm::ivec2 some = rows(run_from(i, run_of_many));
-            covered += std::max(some.y - some.x, 0);
+            const glm::ivec2 some = rows(run_from(i, many), [](const auto&...) {});
+            covered += greater(some.y - some.x, 0);
         }
         return covered <= allowed;
     }
 
-    /// Rows that triangles may cover, from the bottom: first <= y < last, of which there may be none.
-    [[nodiscard]] glm::ivec2 rows(const run& some) const {
-        if (some.size() == 1) return rows_one_by_one(some);  // registers pay for many
-        const auto corners = chunk_.corners_of(some.first, some.last);
-        if (corners.are_inside) return rows_between(corners.lowest, corners.highest);
-        return is_out_of_sight(corners.outside) ? glm::ivec2(0, 0) : rows_one_by_one(some);
-    }
-    /// The same, of what planes leave of each. Not by its corners: where they are far, rounding may leave what lies
-    /// between them.
-    [[nodiscard]] glm::ivec2 rows_one_by_one(const run& some) const {
+    /// Rows first <= y < last that triangles may cover, or none. Without those that cross planes, whose parts may lie
+    /// beyond their corners' rows: where corners are far, by rounding.
+    /// @param use   (a, b, c, unsigned triangle), for what is drawn of those
+    template <class Use>
+    [[nodiscard]] glm::ivec2 rows(const run& some, const Use& use) const {
+        if (some.size() > 1) {  // registers pay for many
+            const auto all = chunk_.corners_of(some.first, some.last);
+            if (all.are_inside) return rows_between(all.lowest, all.highest);
+            if (is_out_of_sight(all.outside)) return {0, 0};
+        }
         std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
-        const auto include = [&](const snapped_vertex& v) {
-            lowest = std::min(lowest, v.y), highest = std::max(highest, v.y);
-        };
         for (unsigned i = some.first; i < some.last; ++i) {
             const drawn_triangle at = chunk_.place_of(i);
-            const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            if (const unsigned crossed = planes_crossed(a, b, c))
-                for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
-                    for (std::size_t v = 0; int(v) < polygon.count; ++v) include(polygon.vertices[v]);
-                });
-            else include(a), include(b), include(c);
+            const corners c = corners_of(at);
+            if (c.crossed != 0) for_each_part(at, c, use);
+            else lowest = lesser(lowest, c.a.y, c.b.y, c.c.y), highest = greater(highest, c.a.y, c.b.y, c.c.y);
         }
         return lowest > highest ? glm::ivec2(0, 0) : rows_between(lowest, highest);
     }
     [[nodiscard]] glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) const {
         const auto between = triangles::rows_between(lowest, highest);
-        return {std::max(between.x, 0), std::min(between.y, size_.y)};
+        return {greater(between.x, 0), lesser(between.y, size_.y)};
     }
 
     /// Runs of a length into lists of the bands in which they may be seen.
     template <class ParallelFor>
     void sort_into_bands(int rows_a_band, int bands, unsigned length, ParallelFor&& parallel) {
         const unsigned pieces = (chunk_.count() + piece - 1) / piece;
-        for (auto& list : lists_) list.clear();
+        for (band_list& list : lists_) list.runs.clear(), list.parts.clear();
         lists_.resize(std::size_t(pieces) * std::size_t(bands));
         parallel(static_cast<int>(pieces), [&](int from, int to) {
-            for (unsigned i = unsigned(from) * piece; i < std::min(unsigned(to) * piece, chunk_.count()); i += length) {
-                auto* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
-                const glm::ivec2 covered = rows(run_from(i, length));
-                for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
-                    lists[band].push_back(i);
+            for (unsigned i = unsigned(from) * piece; i < lesser(unsigned(to) * piece, chunk_.count()); i += length) {
+                band_list* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
+                const auto put = [&](const glm::ivec2& covered, auto band_list::*kind, const auto& what) {
+                    for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
+                        (lists[band].*kind).push_back(what);
+                };
+                const auto keep = [&](const auto& a, const auto& b, const auto& c, unsigned triangle) {
+                    const glm::ivec2 covered = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
+                    put(covered, &band_list::parts, typename band_list::part{a, b, c, triangle});
+                };
+                put(rows(run_from(i, length), keep), &band_list::runs, i);
             }
         });
     }
@@ -14232,9 +14395,9 @@ private:
     cull_mode cull_;
     near_plane at_near_;
     std::vector<projection> instances_;
-    snapped_chunk chunk_;
-    std::vector<index_range> indices_;          // of a piece
-    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band: where runs begin
+    snapped_chunk<OnUse> chunk_;
+    std::vector<index_range> indices_;  // of a piece
+    std::vector<band_list> lists_;      // of a piece, band by band
 };
 
 }  // namespace umbrage::detail
@@ -14313,7 +14476,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
                      ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
     std::vector<glm::mat4> to_clip(instances.begin(), instances.end());
     for (glm::mat4& matrix : to_clip) matrix = model_to_clip(world_to_clip, matrix);
-    detail::rasterize_depth(depth, mesh, to_clip, clip, cull, parallel, at_near);
+    detail::rasterize_depth(depth, mesh, {to_clip.data(), to_clip.size()}, clip, cull, parallel, at_near);
 }
 
 /// The general form: one call for each covered sample between the near and the far plane, triangle by triangle.
@@ -14381,8 +14544,8 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
         for (glm::length_t i = 0; i < 3; ++i) is_drawn = is_drawn || t[i] >= within.size() || within[t[i]];
         if (is_drawn) drawn.push_back(t);
     }
-    rasterize_depth(depth, {placed, drawn}, glm::mat4(1), light.clip, cull_mode::none,
-                    std::forward<ParallelFor>(parallel));
+    rasterize_depth(depth, {{placed.data(), placed.size()}, {drawn.data(), drawn.size()}}, glm::mat4(1), light.clip,
+                    cull_mode::none, std::forward<ParallelFor>(parallel));
 }
 
 }  // namespace umbrage
@@ -14391,21 +14554,22 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
 // Encodings over blocks of 64 depths, in loops that vectorise: bit for bit what their own encode and decode give.
 //
 //     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
-//     codec.encode(depths, texels);
+//     codec.with_encode([&](const auto& encode) UMBRAGE_INLINE { encode(depths, texels); });  // and more blocks
 //
 
 namespace umbrage::detail {
 
-/// saturate() as saturate_bits has it, NaN to `highest` or, reversed, to 0.
+/// saturate(), NaN to `highest` or, reversed, to 0. What is not taken for 0 is one range of bits, so that one comparison
+/// finds it: signed integers above -infinity's, negative NaNs among them; or unsigned ones up to infinity's.
+template <depth_direction Direction>
 struct saturated {
-    std::int32_t last_kept;  ///< greatest magnitude, as bits, that is not taken for 0
-
-    explicit saturated(depth_direction direction)
-        : last_kept(direction == depth_direction::forward ? 0x7FFFFFFF : 0x7F800000) {}
     [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
-        const auto bits = bit_cast<std::int32_t>(v);
-        return bit_cast<float>(bit_cast<std::int32_t>(saturate_bits(v, highest)) &
-                               -std::int32_t((bits & 0x7FFFFFFF) <= last_kept));
+        constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+        const auto bits = bit_cast<std::int32_t>(v), top = bit_cast<std::int32_t>(highest);
+        const std::int32_t magnitude = bits & 0x7FFFFFFF, clamped = magnitude < top ? magnitude : top;
+        constexpr bool forward = Direction == depth_direction::forward;
+        const bool kept = forward ? bits > minus_infinity : static_cast<std::uint32_t>(bits) <= 0x7F800000u;
+        return bit_cast<float>(clamped & -std::int32_t(kept));
     }
     /// to_code: what is 1 or more has the code of the last float below 1.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t code(float depth, float codes) const {
@@ -14413,14 +14577,25 @@ struct saturated {
     }
 };
 
+/// Calls use(saturated) with the direction's.
+template <class Use>
+UMBRAGE_INLINE inline void with_saturated(depth_direction direction, const Use& use) {
+    if (direction == depth_direction::forward) use(saturated<depth_direction::forward>{});
+    else use(saturated<depth_direction::reversed>{});
+}
+
 /// Any encoding, texel by texel.
 template <class Encoding>
 struct codec {
     using texel = typename Encoding::texel;
     Encoding encoding;
 
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    /// Calls use(encode), whose form may hang on what is known at run time: asking that block by block costs a tenth.
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
+        use([own = encoding](const float* depth, texel* texels) UMBRAGE_INLINE {
+            for (int i = 0; i < block; ++i) texels[i] = own.encode(depth[i]);
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
@@ -14436,23 +14611,27 @@ struct rg_codec {
     using texel = glm::u8vec2;
     int bits;
     float edge;
-    saturated saturate_depth;
+    depth_direction direction;
 
     /// R | G << 8 to what this machine has in memory, and back.
     static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
         if constexpr (std::endian::native == std::endian::little) return word;
         else return static_cast<std::uint16_t>(word << 8 | word >> 8);
     }
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        const saturated s = saturate_depth;  // copies: as far as a compiler knows, texels may overwrite the others
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
         const auto codes = static_cast<float>(1 << bits);
         const auto up = static_cast<std::uint16_t>(1 << (16 - bits));
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const auto x = static_cast<std::uint16_t>(s.code(depth[i], codes));
-            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
-            std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
-        }
+        with_saturated(direction, [&](auto saturate) UMBRAGE_INLINE {
+            use([=](const float* depth, texel* texels) UMBRAGE_INLINE {
+                UMBRAGE_NO_OVERLAP
+                for (int i = 0; i < block; ++i) {
+                    const auto x = static_cast<std::uint16_t>(saturate.code(depth[i], codes));
+                    const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
+                    std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
+                }
+            });
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         const float from = edge, step = 1.0f / static_cast<float>(1 << bits);
@@ -14469,7 +14648,7 @@ struct rg_codec {
 };
 template <int Bits>
 [[nodiscard]] rg_codec codec_of(const rg<Bits>& encoding) {
-    return {Bits, encoding.edge, saturated(encoding.direction)};
+    return {Bits, encoding.edge, encoding.direction};
 }
 
 template <>
@@ -14477,13 +14656,17 @@ struct codec<rgb24> {
     using texel = glm::u8vec3;
     rgb24 encoding;
 
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        const saturated s(encoding.direction);
-        alignas(64) std::int32_t x[block];
-        for (int i = 0; i < block; ++i) x[i] = s.code(depth[i], 0x1p24f);
-        for (int i = 0; i < block; ++i)
-            texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
-                         static_cast<std::uint8_t>(x[i] & 0xFF)};
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
+        with_saturated(encoding.direction, [&](auto saturate) UMBRAGE_INLINE {
+            use([=](const float* depth, texel* texels) UMBRAGE_INLINE {
+                alignas(64) std::int32_t x[block];
+                for (int i = 0; i < block; ++i) x[i] = saturate.code(depth[i], 0x1p24f);
+                for (int i = 0; i < block; ++i)
+                    texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
+                                 static_cast<std::uint8_t>(x[i] & 0xFF)};
+            });
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         const float edge = encoding.edge;
@@ -14500,11 +14683,14 @@ struct codec<float_bits> {
     using texel = glm::u8vec4;
     float_bits encoding;
 
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        if constexpr (std::endian::native == std::endian::little)
-            std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
-        else
-            for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
+        use([own = encoding](const float* depth, texel* texels) UMBRAGE_INLINE {
+            if constexpr (std::endian::native == std::endian::little)
+                std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
+            else
+                for (int i = 0; i < block; ++i) texels[i] = own.encode(depth[i]);
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         if constexpr (std::endian::native == std::endian::little) std::memcpy(depth, texels, block * sizeof(float));
@@ -14518,9 +14704,13 @@ struct codec<depth32f> {
     using texel = float;
     depth32f encoding;
 
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        const saturated s(encoding.direction);
-        for (int i = 0; i < block; ++i) texels[i] = s(depth[i], 1.0f);
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
+        with_saturated(encoding.direction, [&](auto saturate) UMBRAGE_INLINE {
+            use([=](const float* depth, texel* texels) UMBRAGE_INLINE {
+                for (int i = 0; i < block; ++i) texels[i] = saturate(depth[i], 1.0f);
+            });
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         std::memcpy(depth, texels, block * sizeof(float));
@@ -14550,9 +14740,9 @@ UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, cons
     if (x == count) return;
     From padded[block]{};
     To result[block];
-    std::copy_n(from + x, count - x, padded);
+    copy(from + x, std::size_t(count - x), padded);
     convert_rest(padded, result);
-    std::copy_n(result, count - x, to + x);
+    copy(result, std::size_t(count - x), to + x);
 }
 template <class From, class To, class Convert>
 UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
@@ -14568,18 +14758,19 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
     const bool large = past_cache(texels);
     parallel(depth.size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
-            const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE { codec.encode(from, to); };
-            const auto past_caches = [&](const float* from, texel* to) UMBRAGE_INLINE {
-                alignas(64) texel texels_of_block[block];
-                codec.encode(from, texels_of_block);
-                stream_block(to, texels_of_block);
-            };
-            // What is left of a row is copied from where it is put: not past the cache.
-            for (int y = first; y < last; ++y) {
-                if (large) prefetch_rest(texels.row(y), depth.size.x);
-                if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, past_caches, in_place);
-                else convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
-            }
+            codec.with_encode([&](const auto& in_place) UMBRAGE_INLINE {
+                const auto past_caches = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                    alignas(64) texel texels_of_block[block];
+                    in_place(from, texels_of_block);
+                    stream_block(to, texels_of_block);
+                };
+                // What is left of a row is copied from where it is put: not past the cache.
+                for (int y = first; y < last; ++y) {
+                    if (large) prefetch_rest(texels.row(y), depth.size.x);
+                    if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, past_caches, in_place);
+                    else convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
+                }
+            });
         });
         if (large) finish_streaming();
     });
@@ -14592,9 +14783,10 @@ void decode_rows(image_view<const typename Codec::texel> texels, image_view<floa
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
+            const Codec own = codec;  // as far as a compiler knows, depths may overwrite the other
             for (int y = first; y < last; ++y)
                 convert_row(texels.row(y), depth.row(y), depth.size.x,
-                            [&](const auto* from, auto* to) UMBRAGE_INLINE { codec.decode(from, to); });
+                            [&](const auto* from, auto* to) UMBRAGE_INLINE { own.decode(from, to); });
         });
     });
 }
@@ -14656,7 +14848,8 @@ template <class ParallelFor = serial>
     image<float> ringed;
     if (border) {
         ringed = image<float>(map.size + 2, *border);
-        for (int y = 0; y < map.size.y; ++y) std::copy_n(map.row(y), map.size.x, ringed.view().row(y + 1) + 1);
+        for (int y = 0; y < map.size.y; ++y)
+            detail::copy(map.row(y), std::size_t(map.size.x), ringed.view().row(y + 1) + 1);
         map = ringed.view();
     }
     const detail::reached_texels reached(reach);
@@ -14664,7 +14857,7 @@ template <class ParallelFor = serial>
     const int steps = 256 << tree.level;
     image<glm::vec2> bounds(tree.last + 1);
     for (int y = 0; y <= tree.last.y; ++y)
-        std::copy_n(tree.bounds.view().row(y), bounds.size().x, bounds.view().row(y));
+        detail::copy(tree.bounds.view.row(y), std::size_t(bounds.size().x), bounds.view().row(y));
     const int first = reached.before() + (tree.cells - 1) * steps + (border ? 256 : 0);
     return {std::move(bounds), {static_cast<float>(first), 1.0f / static_cast<float>(steps)}};
 }
@@ -14765,18 +14958,35 @@ template <real T>
     return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
 }
 
-/// A convex body, by its faces.
-class polyhedron {
+namespace detail {
+
+/// The part of a convex polygon that is inside of a plane.
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
+    const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
+    std::vector<glm::dvec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+        const double at_p = inside(p), at_q = inside(q);
+        if (!(at_p < 0.0)) kept.push_back(p);
+        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+    }
+    return kept;
+}
+
+/// See polyhedron.
+template <class = on_use>
+class convex_body {
 public:
     struct face {
         glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
         std::vector<glm::dvec3> corners;  ///< none where the body does not reach the plane
     };
 
-    polyhedron() = default;
+    convex_body() = default;
 
     template <real T>
-    polyhedron(const bounding_box<T>& box) {
+    convex_body(const bounding_box<T>& box) {
         const glm::dvec3 low(box.low), high(box.high);
         add_faces(umbrage::corners(box), {{{1, 0, 0, -low.x},
                                            {-1, 0, 0, high.x},
@@ -14787,7 +14997,7 @@ public:
     }
 
     template <real T>
-    polyhedron(const frustum<T>& f) {
+    convex_body(const frustum<T>& f) {
         const glm::dmat3 axes = detail::axes(f);
         const double x(f.tan_half_x), y(f.tan_half_y);
         const auto plane = [&](glm::dvec3 normal, double offset) {
@@ -14802,7 +15012,21 @@ public:
     [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
     [[nodiscard]] bool empty() const { return faces_.empty(); }
 
-    friend polyhedron intersection(const polyhedron& a, const polyhedron& b);
+    [[nodiscard]] static convex_body common(const convex_body& a, const convex_body& b) {
+        convex_body body;
+        bool touch = false;
+        const auto add = [&](const convex_body& of, const convex_body& within) {
+            for (face f : of.faces_) {
+                for (const face& other : within.faces_) f.corners = clipped(f.corners, other.plane);
+                touch = touch || !f.corners.empty();
+                body.faces_.push_back(
+                    std::move(f));  // one without corners too: rounding may take them of a flat body's
+            }
+        };
+        add(a, b);
+        add(b, a);
+        return touch && !a.empty() && !b.empty() ? body : convex_body();
+    }
 
 private:
     void add_faces(const eight_corners& c, const std::array<glm::dvec4, 6>& planes) {
@@ -14815,63 +15039,46 @@ private:
     std::vector<face> faces_;
 };
 
-namespace detail {
-
-/// The part of a convex polygon that is inside of a plane.
-[[nodiscard]] inline std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
-    const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
-    std::vector<glm::dvec3> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-        const double at_p = inside(p), at_q = inside(q);
-        if (!(at_p < 0.0)) kept.push_back(p);
-        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
-    }
-    return kept;
-}
-
 }  // namespace detail
 
+/// A convex body, by its faces.
+using polyhedron = detail::convex_body<>;
+
 /// What two bodies have in common; empty where that is nothing.
-[[nodiscard]] inline polyhedron intersection(const polyhedron& a, const polyhedron& b) {
-    polyhedron common;
-    bool touch = false;
-    const auto add = [&](const polyhedron& of, const polyhedron& within) {
-        for (polyhedron::face face : of.faces_) {
-            for (const polyhedron::face& other : within.faces_)
-                face.corners = detail::clipped(face.corners, other.plane);
-            touch = touch || !face.corners.empty();
-            common.faces_.push_back(
-                std::move(face));  // one without corners too: rounding may take them of a flat body's
-        }
-    };
-    add(a, b);
-    add(b, a);
-    return touch && !a.empty() && !b.empty() ? common : polyhedron();
+template <class Use = detail::on_use>
+[[nodiscard]] polyhedron intersection(const polyhedron& a, const polyhedron& b) {
+    return detail::convex_body<Use>::common(a, b);
 }
 
-/// Points, what lies between them, and a ball around each: what a directional light is fitted to.
-struct hull {
+namespace detail {
+
+/// See hull.
+template <class Use = on_use>
+struct rounded_hull {
     std::vector<glm::dvec3> points;
     double radius = 0.0;  ///< of the ball
 
-    hull() = default;
+    rounded_hull() = default;
     template <real T>
-    hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
+    rounded_hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
     template <real T>
-    hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
+    rounded_hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
     template <real T>
-    hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
+    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
     template <real T>
-    hull(const bounding_box<T>& box) : hull(umbrage::corners(box)) {}
+    rounded_hull(const bounding_box<T>& box) : rounded_hull(umbrage::corners(box)) {}
     template <real T>
-    hull(const frustum<T>& f) : hull(umbrage::corners(f)) {}
-    hull(const eight_corners& c) : points(c.begin(), c.end()) {}
-    hull(const polyhedron& p) {
-        for (const polyhedron::face& face : p.faces())
-            points.insert(points.end(), face.corners.begin(), face.corners.end());
+    rounded_hull(const frustum<T>& f) : rounded_hull(umbrage::corners(f)) {}
+    rounded_hull(const eight_corners& c) : points(c.begin(), c.end()) {}
+    rounded_hull(const convex_body<Use>& p) {
+        for (const auto& face : p.faces()) points.insert(points.end(), face.corners.begin(), face.corners.end());
     }
 };
+
+}  // namespace detail
+
+/// Points, what lies between them, and a ball around each: what a directional light is fitted to.
+using hull = detail::rounded_hull<>;
 
 }  // namespace umbrage
 
@@ -14892,7 +15099,8 @@ namespace umbrage {
 /// The box around a mesh's positions.
 /// @param mesh   positions that are not finite do not count, as the depth pass leaves their triangles out
 /// @return       low above high where there is none: nothing is then drawn, and corners() refuses it
-[[nodiscard]] inline bounding_box<float> bounds_of(const mesh_view& mesh) {
+template <class = detail::on_use>
+[[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
     bounding_box<float> box{glm::vec3(std::numeric_limits<float>::max()),
                             glm::vec3(std::numeric_limits<float>::lowest())};
     for (const glm::vec3& p : mesh.positions)
@@ -14937,15 +15145,17 @@ template <class Reach>
 /// @param to_clip   model_to_clip, or any matrix that the mesh is drawn with; not finite: nothing is drawn, false
 /// @param at_near   as the depth pass has it
 /// @exactness       conservative: with 2^-20 to spare of the sums that a shader's floats round
-[[nodiscard]] inline bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
-                                   near_plane at_near = near_plane::clips) {
+template <class = detail::on_use>
+[[nodiscard]] bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                            near_plane at_near = near_plane::clips) {
     if (glm::any(glm::greaterThan(bounds.low, bounds.high))) return false;
     const glm::dvec3 low(bounds.low), high(bounds.high), half = (high - low) * 0.5;
     const auto reach = [&](const glm::dvec3& normal) { return glm::dot(glm::abs(normal), half); };
     return detail::may_mark((low + high) * 0.5, half, reach, to_clip, clip, at_near);
 }
-[[nodiscard]] inline bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
-                                   near_plane at_near = near_plane::clips) {
+template <class = detail::on_use>
+[[nodiscard]] bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                            near_plane at_near = near_plane::clips) {
     if (bounds.radius < 0.0f) return false;
     const auto radius = static_cast<double>(bounds.radius);
     const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };
@@ -15072,10 +15282,8 @@ template <class At>
     report.measured = all.size();
     if (all.empty()) return report;
     report.mean = sum / double(all.size());
-    report.greatest = *std::max_element(all.begin(), all.end());
-    const auto nth = all.begin() + static_cast<std::ptrdiff_t>(double(all.size() - 1) * 0.95);
-    std::nth_element(all.begin(), nth, all.end());
-    report.p95 = *nth;
+    report.greatest = detail::ranked(all, all.size() - 1);
+    report.p95 = detail::ranked(all, static_cast<std::size_t>(double(all.size() - 1) * 0.95));
     report.storage_factor = maps * (map_size.x * longest.x) * (map_size.y * longest.y) / (double(screen.x) * screen.y);
     return report;
 }
@@ -15144,12 +15352,12 @@ template <real T>
         }
         choice.p95.push_back(0);
         if (extents.empty()) continue;
-        const auto nth = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
-        std::nth_element(extents.begin(), nth, extents.end());
-        choice.p95.back() = *nth;
+        choice.p95.back() = detail::ranked(extents, static_cast<std::size_t>(double(extents.size() - 1) * 0.95));
     }
-    const auto best = std::min_element(choice.p95.begin(), choice.p95.end());
-    if (*best < choice.p95[before] * (1 - terms.better)) choice.kept = std::size_t(best - choice.p95.begin());
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < lights.size(); ++i)
+        if (choice.p95[i] < choice.p95[best]) best = i;
+    if (choice.p95[best] < choice.p95[before] * (1 - terms.better)) choice.kept = best;
     return choice;
 }
 
@@ -15245,19 +15453,15 @@ template <class ParallelFor = serial>
 
 }  // namespace umbrage
 
-// ---- umbrage/images/summed_area.hpp
-// Summed-area tables: the sum over any rectangle of an image from four texels.
+// ---- umbrage/simd/sum_row.hpp
+// Running sums along a row of an image, and down to a row of its summed-area table.
 //
-//     umbrage::image<std::uint32_t> sums(values.size());
-//     umbrage::summed_area(values, sums);
-//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
+//     band_sums<Sum> band(length, values.data, sums.data);
+//     Sum end = sum_row<streams, sum_lanes<Sum, Set>>(from, next_row, before, band.base, band.line, to, count);
 //
-// Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
-// loses bits as it grows, and its differences lose more.
 
 UMBRAGE_STRICT_MATH
-namespace umbrage {
-namespace detail {
+namespace umbrage::detail {
 
 /// Floats are always added in fours, in the order that summed_area states; integers in any.
 template <class T, isa Set>
@@ -15290,52 +15494,52 @@ public:
     Sum *base, *line;
 };
 
-enum class table_store { none, plain, streaming };
-
 /// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`, or of
 /// integers `line` itself, which then holds all that is above.
-template <table_store Store, int Lanes, class From, class Sum>
-UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
+/// @param before     sum of the row's texels to the left
+/// @param next_row   comes after `from`
+/// @return           `before` and all texels, of whole blocks
+template <bool Streams, int Lanes, class From, class Sum>
+UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum before, const Sum* base, Sum* line,
+                                  Sum* to, int count) {
     using few = lanes_of<Sum, Lanes>;
     constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
     constexpr int step = by_bytes ? 2 * Lanes : Lanes;
-    few carry{};
-    const auto add_few = [&](auto store, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
-        constexpr table_store how = decltype(store)::value;
+    few carry;
+    for (int i = 0; i < Lanes; ++i) carry[i] = before;
+    const auto add_few = [&](auto streams, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
         few sums, there;
         load_lanes(lines, there);
         sums = (carry + together) + there;
         all_last<Lanes>(together);
         carry = carry + together;
         store_lanes(sums, lines);
-        if constexpr (how == table_store::none) return;
         if constexpr (!std::is_integral_v<Sum>) {
             load_lanes(under, there);
             sums = sums + there;
         }
-        if constexpr (how == table_store::plain) store_lanes(sums, out);
-        if constexpr (how == table_store::streaming) stream<sizeof sums>(out, &sums);
+        if constexpr (decltype(streams)::value) stream<sizeof sums>(out, &sums);
+        else store_lanes(sums, out);
     };
-    const auto sum_some = [&](auto store, const auto* values, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
+    const auto sum_some = [&](auto streams, const auto* values, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
         few together;
         if constexpr (by_bytes) {
             few next;
             running_sums_of_bytes(values, together, next);
-            add_few(store, together, under, lines, out);
-            add_few(store, next, under + Lanes, lines + Lanes, out + Lanes);
+            add_few(streams, together, under, lines, out);
+            add_few(streams, next, under + Lanes, lines + Lanes, out + Lanes);
         } else {
             load_lanes(values, together);
             running_sum<Lanes>(together);
-            add_few(store, together, under, lines, out);
+            add_few(streams, together, under, lines, out);
         }
     };
-    constexpr std::integral_constant<table_store, Store> as_asked{};
-    // Of the row's last few, which are copied from where they are put: not past the cache.
-    constexpr std::integral_constant<table_store, Store == table_store::none ? Store : table_store::plain> to_copy{};
-    if constexpr (Store == table_store::streaming) prefetch_rest(to, count, step);
+    constexpr std::bool_constant<Streams> as_asked{};
+    if constexpr (Streams) prefetch_rest(to, count, step);
     // Measured: the hardware prefetcher comes too late.
     const auto prefetch = [&](int first) UMBRAGE_INLINE {
-        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
+        const int ahead = lesser(1536 / static_cast<int>(sizeof(From)), count), x = first + ahead;
+        prefetch_bytes(x < count ? from + x : next_row + (x - count), 0, block * static_cast<int>(sizeof(From)));
     };
     int x = 0;
     if constexpr (by_bytes) {
@@ -15365,55 +15569,121 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         if (there == step) {
             sum_some(as_asked, rest, base + x, line + x, to + x);
         } else {
-            sum_some(to_copy, rest, base + x, line + x, result);
-            if constexpr (Store != table_store::none) std::copy_n(result, there, to + x);
+            sum_some(std::false_type{}, rest, base + x, line + x, result);
+            copy(result, std::size_t(there), to + x);
         }
     }
+    return carry[0];
 }
 
-inline constexpr int band_rows =
-    64;  ///< rows of a table that are summed from zero, then put on top of what is before them
+/// What sum_row returns, of whole blocks.
+template <int Lanes, class From, class Sum>
+UMBRAGE_INLINE inline Sum sum_of_row(const From* from, Sum before, int count) {
+    lanes_of<Sum, Lanes> carry, few;
+    for (int i = 0; i < Lanes; ++i) carry[i] = std::is_integral_v<Sum> ? Sum(0) : before;
+    for (int x = 0; x < count; x += block) {
+        alignas(64) Sum values[block];
+        for (int i = 0; i < block; ++i) values[i] = from[x + i];
+        for (int i = 0; i < block; i += Lanes) {
+            load_lanes(values + i, few);
+            if constexpr (!std::is_integral_v<Sum>) running_sum<Lanes>(few), all_last<Lanes>(few);
+            carry = carry + few;
+        }
+    }
+    if constexpr (!std::is_integral_v<Sum>) return carry[0];
+    running_sum<Lanes>(carry);
+    return before + carry[Lanes - 1];
+}
 
-/// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/summed_area.hpp
+// Summed-area tables: the sum over any rectangle of an image from four texels.
+//
+//     umbrage::image<std::uint32_t> sums(values.size());
+//     umbrage::summed_area(values, sums);
+//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
+//
+// Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
+// loses bits as it grows, and its differences lose more.
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+namespace detail {
+
+/// Rows of a table that are summed from zero, then put on top of what is before them.
+inline constexpr int band_rows = 64;
+
+/// Columns of the strips that threads take: whole blocks, alike wide, two or more strips where there are so many blocks.
+/// Each row of a strip lies on a page of its own, so that narrow ones are slower.
+[[nodiscard]] inline int columns_a_strip(int width) {
+    constexpr int widest = 1024;
+    const int strips = greater(2, (width + widest - 1) / widest);
+    return ((width + strips - 1) / strips + block - 1) / block * block;
+}
+
+/// Rows of a strip, of one band. `line` holds the sums of what is above them in the band, and then down to there.
+/// @param before   of each row, the sum of all to the left of the strip, and then up to its end
 template <class From, class Sum>
-void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line) {
-    const int width = sums.size.x;
-    const bool is_large = past_cache(sums);
+void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large, Sum* before, const Sum* base,
+              Sum* line) {
+    const glm::ivec2 size = sums.size;
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
-        for (int y = first; y < last; ++y) {
-            const From* from = values.row(y);
+        for (int y = 0; y < size.y; ++y) {
+            const int y_next = lesser(y + 1, size.y - 1);
+            const From *from = values.row(y), *next_row = values.row(y_next);
             Sum* to = sums.row(y);
-            if (is_large && streams_to(to)) sum_row<table_store::streaming, lanes>(from, base, line, to, width);
-            else sum_row<table_store::plain, lanes>(from, base, line, to, width);
+            prefetch_line(sums.row(y_next));  // for its page's address: stores would wait for that
+            if (is_large && streams_to(to))
+                before[y] = sum_row<true, lanes>(from, next_row, before[y], base, line, to, size.x);
+            else before[y] = sum_row<false, lanes>(from, next_row, before[y], base, line, to, size.x);
         }
     });
     if (is_large) finish_streaming();
 }
 
-/// What those rows put under all that follow; `line` starts as zeros.
+/// The sums of each row up to where strips begin. Whoever has summed a strip gives them to who has the next one. Pieces
+/// run when and where a scheduler likes, so that none may wait for another: what is not there yet is added up again.
 template <class From, class Sum>
-void total_of_rows(image_view<const From> values, int first, int last, Sum* line) {
-    const int width = values.size.x;
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        if constexpr (std::is_integral_v<Sum>) {  // in any order: down the columns, then along one row
-            for (int y = first; y < last; ++y) {
-                const From* from = values.row(y);
-                int x = 0;
-                for (; x + block <= width; x += block) {
-                    UMBRAGE_NO_OVERLAP
-                    for (int i = 0; i < block; ++i) line[x + i] += from[x + i];
-                }
-                for (; x < width; ++x) line[x] += from[x];
-            }
-            for (int x = 1; x < width; ++x) line[x] += line[x - 1];
-        } else {
-            for (int y = first; y < last; ++y)
-                sum_row<table_store::none, sum_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line,
-                                                                                 width);
-        }
-    });
-}
+class strip_starts {
+public:
+    strip_starts(image_view<const From> values, int strips, int columns)
+        : values_(values),
+          columns_(columns),
+          sums_(static_cast<std::size_t>(strips + 1) * static_cast<std::size_t>(values.size.y)),
+          rows_(static_cast<std::size_t>(strips + 1)) {
+        rows_[0] = values.size.y;
+    }
+
+    /// Of rows first <= y < last.
+    void take(int strip, int first, int last, Sum* sums) const {
+        int known = strip;
+        while (load_acquire(rows_[std::size_t(known)]) < last) --known;
+        copy(sums_.data() + place_of(known, first), std::size_t(last - first), sums);
+        const int left = known * columns_, width = strip * columns_ - left;
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
+            for (int y = first; y < last; ++y, ++sums) *sums = sum_of_row<lanes>(values_.row(y) + left, *sums, width);
+        });
+    }
+    /// The same, after those of the rows before.
+    void give(int strip, int first, int last, const Sum* sums) {
+        copy(sums, std::size_t(last - first), sums_.data() + place_of(strip, first));
+        store_release(last, rows_[std::size_t(strip)]);
+    }
+
+private:
+    [[nodiscard]] std::size_t place_of(int strip, int y) const {
+        return static_cast<std::size_t>(strip) * static_cast<std::size_t>(values_.size.y) + static_cast<std::size_t>(y);
+    }
+
+    image_view<const From> values_;
+    int columns_;
+    std::vector<Sum> sums_;  // strip by strip, and one behind the last
+    std::vector<int> rows_;  // whose sums are there, set by one thread while others look
+};
 
 }  // namespace detail
 
@@ -15421,7 +15691,8 @@ void total_of_rows(image_view<const From> values, int first, int last, Sum* line
 ///
 /// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
 /// @param sums      same size, other pixels
-/// @param parallel  cuts bands of 64 rows into pieces, see parallel.hpp; the image is then read twice
+/// @param parallel  cuts strips of up to 1024 columns into pieces, see parallel.hpp; best in their order, one after the
+///                  other or side by side: others read some of the image twice or more
 /// @throws std::invalid_argument  sizes differ
 /// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
 ///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
@@ -15435,38 +15706,27 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
                                                    sizeof(value) <= sizeof(Sum));
     if (values.size != sums.size) detail::fail("umbrage::summed_area: sizes differ");
     if (values.empty()) return;
-    const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
-    const auto length = (static_cast<std::size_t>(sums.size.x) + 15) / 16 * 16;
-    const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
-    const auto add = [=](const Sum* from, Sum* to) {
-        for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
-    };
-    if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
-        detail::band_sums<Sum> band(length, values.data, sums.data);
-        for (int b = 0; b < bands; ++b) {
-            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
+    constexpr bool in_one = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
+    const glm::ivec2 size = sums.size;
+    const int columns = in_one ? size.x : detail::columns_a_strip(size.x), strips = (size.x + columns - 1) / columns;
+    const bool is_large = detail::past_cache(sums);
+    detail::strip_starts<value, Sum> starts(values, strips, columns);
+    parallel(strips, [&](int first, int last) {
+        const int left = first * columns, width = detail::lesser(last * columns, size.x) - left;
+        const auto length = (static_cast<std::size_t>(width) + 15) / 16 * 16;
+        detail::band_sums<Sum> band(length, values.data + left, sums.data + left);
+        for (int y = 0; y < size.y; y += detail::band_rows) {
+            const int end = detail::lesser(y + detail::band_rows, size.y);
+            const auto part = [=](const auto& image) { return image.region({left, y}, {width, end - y}); };
+            Sum before[detail::band_rows];
+            starts.take(first, y, end, before);
+            detail::sum_rows<value, Sum>(part(values), part(sums), is_large, before, band.base, band.line);
+            starts.give(last, y, end, before);
             if constexpr (std::is_integral_v<Sum>) continue;
-            add(band.line, band.base);
-            std::fill(band.line, band.line + length, Sum(0));
+            for (std::size_t i = 0; i < length; ++i) band.base[i] = band.line[i] + band.base[i];
+            detail::fill(band.line, length, Sum(0));
         }
-    } else {
-        // What each band puts under the next one, by itself and then with all before it; then the bands, in any order.
-        std::vector<Sum> bases(length * static_cast<std::size_t>(bands));
-        const auto base = [&](int b) { return bases.data() + length * static_cast<std::size_t>(b); };
-        if (bands > 1)
-            parallel(bands - 1, [&](int first, int last) {
-                for (int b = first; b < last; ++b)
-                    detail::total_of_rows<value, Sum>(values, b * detail::band_rows, end_of(b), base(b + 1));
-            });
-        for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
-        parallel(bands, [&](int first, int last) {
-            for (int b = first; b < last; ++b) {
-                detail::band_sums<Sum> band(length, values.data, sums.data);
-                std::copy(base(b), base(b) + length, std::is_integral_v<Sum> ? band.line : band.base);
-                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
-            }
-        });
-    }
+    });
 }
 
 /// The same where one of the two is an image.
@@ -15533,7 +15793,8 @@ template <class ParallelFor = serial>
     if (map.empty()) detail::fail("umbrage::make_moment_table: empty map");
     if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_moment_table: radius out of range");
     const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
-    const std::int64_t n = std::min<std::int64_t>(side, map.size.x) * std::min<std::int64_t>(side, map.size.y);
+    const std::int64_t n =
+        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
     if (n > 65537) detail::fail("umbrage::make_moment_table: sums in a box of that radius may reach 2^32");
 
     image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
@@ -15545,8 +15806,8 @@ template <class ParallelFor = serial>
     });
     image<std::uint32_t> channel(map.size), sums(map.size);
     for (glm::length_t c = 0; c < 4; ++c) {
-        std::transform(codes.texels().begin(), codes.texels().end(), channel.texels().begin(),
-                       [c](const glm::u16vec4& t) { return std::uint32_t(t[c]); });
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) channel[{x, y}] = codes[{x, y}][c];
         summed_area(channel, sums, parallel);
         for (int y = 0; y < map.size.y; ++y)
             for (int x = 0; x < map.size.x; ++x) {
@@ -15612,20 +15873,16 @@ struct contrast_stretch {
 /// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
 /// @return      0..1 when no texel is left
 /// @throws std::invalid_argument  outliers out of range
-[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f,
-                                              double outliers = 0.01) {
+template <class = detail::on_use>
+[[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
     if (!(outliers >= 0.0 && outliers < 0.5)) detail::fail("umbrage::stretch: outliers not in [0, 1/2)");
     std::vector<float> depths;
     for (int y = 0; y < map.size.y && !map.empty(); ++y)
         for (int x = 0; x < map.size.x; ++x)
             if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
     if (depths.empty()) return {};
-    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
-    const auto ranked = [&](std::ptrdiff_t rank) {
-        std::nth_element(depths.begin(), depths.begin() + rank, depths.end());
-        return depths[static_cast<std::size_t>(rank)];
-    };
-    return {ranked(given_up), ranked(std::ssize(depths) - 1 - given_up)};
+    const auto given_up = static_cast<std::size_t>(outliers * static_cast<double>(depths.size()));
+    return {detail::ranked(depths, given_up), detail::ranked(depths, depths.size() - 1 - given_up)};
 }
 
 /// Where an overlay goes: the top left corner, as people see it.
@@ -15653,10 +15910,10 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
     const auto row_from_top = [](int y, int count, texture_origin origin) {
         return origin == texture_origin::top ? y : count - 1 - y;
     };
-    for (int y = 0; y < std::min(size.y, picture.size.y); ++y) {
+    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
         const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
         glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
-        for (int x = 0; x < std::min(size.x, picture.size.x); ++x)
+        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
             out[x] = store_unorm8(glm::vec3(colour(depths[nearest(x, size.x, map.size.x)])));
     }
 }
@@ -15791,16 +16048,6 @@ concept has_texels_form = requires(image_view<const typename Encoding::texel> ma
     texels_of(map, e);
 };
 
-/// Memory for a map, which an image would fill with zeros first.
-struct unset_floats {
-    explicit unset_floats(std::size_t count) : texels(new float[count]) {}
-    ~unset_floats() { delete[] texels; }
-    unset_floats(const unset_floats&) = delete;
-    unset_floats& operator=(const unset_floats&) = delete;
-
-    float* const texels;
-};
-
 /// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
 /// @return   false where it is not, or where the form cannot take such a map
 template <class Form, class Encoding, class ParallelFor, class Use>
@@ -15815,12 +16062,10 @@ bool with_map(image_view<const typename Encoding::texel> map, const Encoding& en
     } else {
         const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
         if (area(map.size) >= 16.0 * area(receivers)) return false;
-        const auto texels = static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y);
-        const unset_floats memory(texels);
-        const image_view<float> depths(memory.texels, map.size);
-        if (!texel_bytes<const float>::fits(depths)) return false;
-        decode(map, depths, encoding, parallel);
-        use(float_texels{depths});
+        const unset_image<float> depths(map.size);
+        if (!texel_bytes<const float>::fits(depths.view)) return false;
+        decode(map, depths.view, encoding, parallel);
+        use(float_texels{depths.view});
     }
     return true;
 }
@@ -15914,6 +16159,7 @@ struct page {
 
 /// The page of a level that holds a point.
 /// @param coord   1 .. 2 across the root, 2 not included
+template <class = detail::on_use>
 [[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
     const double across = std::ldexp(1.0, level);
     return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
@@ -15928,10 +16174,26 @@ struct page_receiver {
 namespace detail {
 
 /// The least level in which no texel's longer axis covers more pixels than wanted; -1 of receivers that want none.
+template <class = on_use>
 [[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
     const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
     if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
-    return static_cast<int>(std::clamp(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
+    return static_cast<int>(detail::limited(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
+}
+
+/// To pages in the making, where it is not the last already.
+template <class = on_use>
+inline void add(const page& p, std::vector<page>& pages) {
+    if (pages.empty() || p != pages.back()) pages.push_back(p);
+}
+/// Each once, coarse ones first.
+template <class = on_use>
+void tidy(std::vector<page>& pages) {
+    sort(pages, [](const page& a, const page& b) { return a < b; });
+    std::size_t kept = 0;
+    for (const page& p : pages)
+        if (kept == 0 || p != pages[kept - 1]) pages[kept++] = p;
+    pages.resize(kept);
 }
 
 }  // namespace detail
@@ -15943,8 +16205,9 @@ namespace detail {
 /// @return                each once, coarse ones first
 /// @formula               level = ceil(log2(extent / target))
 /// @throws std::invalid_argument  target or deepest_level out of range
-[[nodiscard]] inline std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
-                                                    int deepest_level) {
+template <class = detail::on_use>
+[[nodiscard]] std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
+                                             int deepest_level) {
     constexpr auto function = "wanted_pages";
     detail::require(is_finite(target) && target > 0.0, function, "target", "must be finite and above 0");
     detail::require(deepest_level >= 0 && deepest_level <= deepest_page_level, function, "deepest_level",
@@ -15953,11 +16216,9 @@ namespace detail {
     for (const page_receiver& r : receivers) {
         const int level = detail::wanted_level(r, target, deepest_level);
         if (level < 0) continue;
-        const page p = page_at(r.coord, level);
-        if (pages.empty() || p != pages.back()) pages.push_back(p);
+        detail::add(page_at(r.coord, level), pages);
     }
-    std::sort(pages.begin(), pages.end());
-    pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
+    detail::tidy(pages);
     return pages;
 }
 
@@ -15993,6 +16254,7 @@ struct page_update {
 class page_cache {
 public:
     /// @throws std::invalid_argument  slots, deepest_level or target out of range
+    template <class = detail::on_use>
     explicit page_cache(const page_budget& budget) : budget_(budget), target_(budget.target) {
         constexpr auto function = "page_cache";
         const auto fits = [](int n) { return n >= 1 && n <= 256; };
@@ -16001,27 +16263,31 @@ public:
                         "deepest_level", "must lie between 0 and 15");
         detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target",
                         "must be finite and above 0");
-        for (glm::ivec2 slot{0}; slot.y < budget.slots.y; ++slot.y)
-            for (slot.x = 0; slot.x < budget.slots.x; ++slot.x) free_.push_back(slot);
-        std::reverse(free_.begin(), free_.end());
+        for (int y = budget.slots.y; y-- > 0;)
+            for (int x = budget.slots.x; x-- > 0;) free_.push_back({x, y});
     }
 
     /// Takes in what a view sees.
+    template <class = detail::on_use>
     page_update update(std::span<const page_receiver> receivers) {
         ++now_;
         page_update result;
         std::vector<page> missing;
-        for (const page& p : fitting(receivers))
-            if (const auto found = resident_.find(p); found != resident_.end())
-                found->second.needed = now_, ++result.kept;
-            else missing.push_back(p);
+        const std::vector<page> needed = fitting(receivers);
+        auto here = resident_.begin();
+        for (const page& p : needed) {
+            while (here != resident_.end() && here->page < p) ++here;
+            if (here == resident_.end() || here->page != p) missing.push_back(p);
+            else here->needed = now_, ++result.kept;
+        }
         const std::vector<page> given_up =
             give_up(missing.size() > free_.size() ? missing.size() - free_.size() : std::size_t(0));
         for (const page& p : missing) {
             result.drawn.push_back({p, free_.back()});
-            resident_[p] = {free_.back(), now_};
+            resident_.push_back({p, free_.back(), now_});
             free_.pop_back();
         }
+        detail::sort(resident_, [](const held& a, const held& b) { return a.page < b.page; });
         result.target = target_;
         result.given_up = given_up.size();
         if (target_ > budget_.target && !given_up.empty()) result.forced = popped(receivers, given_up);
@@ -16029,8 +16295,9 @@ public:
     }
 
     /// All that must be drawn anew: casters or the light have moved.
+    template <class = detail::on_use>
     void forget() {
-        for (const auto& [p, in] : resident_) free_.push_back(in.slot);
+        for (const held& h : resident_) free_.push_back(h.slot);
         resident_.clear();
     }
 
@@ -16040,19 +16307,21 @@ public:
     /// Calls use(page, slot) for every page that is there, coarse ones first.
     template <class Use>
     void for_each(Use&& use) const {
-        for (const auto& [p, in] : resident_) use(p, in.slot);
+        for (const held& h : resident_) use(h.page, h.slot);
     }
 
     /// The level of the finest page that holds a point; -1 where there is none.
     /// @param coord   1 .. 2 across the root, 2 not included
+    template <class = detail::on_use>
     [[nodiscard]] int level_at(glm::dvec2 coord) const {
         int level = budget_.deepest_level;
-        while (level >= 0 && !resident_.contains(page_at(coord, level))) --level;
+        while (level >= 0 && !find(page_at(coord, level))) --level;
         return level;
     }
 
 private:
     struct held {
+        umbrage::page page;
         glm::ivec2 slot;
         std::uint64_t needed;  ///< in which update last
     };
@@ -16061,7 +16330,15 @@ private:
         return static_cast<std::size_t>(budget_.slots.x) * static_cast<std::size_t>(budget_.slots.y);
     }
 
+    /// nullptr: the page is not there.
+    template <class = detail::on_use>
+    [[nodiscard]] const held* find(const page& p) const {
+        const std::size_t at = detail::count_in_front(resident_, [&](const held& h) { return h.page < p; });
+        return at < resident_.size() && resident_[at].page == p ? &resident_[at] : nullptr;
+    }
+
     /// The root and what is wanted besides, with the target moved until it fits.
+    template <class = detail::on_use>
     [[nodiscard]] std::vector<page> fitting(std::span<const page_receiver> receivers) {
         const double step = std::exp2(1.0 / 16.0);
         const auto wanted = [&](double target) {
@@ -16072,7 +16349,7 @@ private:
         std::vector<page> pages = wanted(target_);
         while (pages.size() > slots()) pages = wanted(target_ *= step);
         while (target_ > budget_.target) {
-            const double finer = std::max(target_ / step, budget_.target);
+            const double finer = detail::greater(target_ / step, budget_.target);
             std::vector<page> more = wanted(finer);
             if (more.size() * 8 > slots() * 7) break;
             target_ = finer;
@@ -16083,45 +16360,47 @@ private:
 
     /// Frees slots: of the pages not needed now the least recently needed, of these the finest.
     /// @return   the pages, in their order
+    template <class = detail::on_use>
     std::vector<page> give_up(std::size_t count) {
-        std::vector<std::pair<std::uint64_t, page>> others;
-        for (const auto& [p, in] : resident_)
-            if (in.needed < now_) others.emplace_back(in.needed, p);
-        std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) {
-            return a.first != b.first ? a.first < b.first : b.second < a.second;
-        });
         std::vector<page> pages;
+        if (count == 0) return pages;
+        detail::sort(resident_, [](const held& a, const held& b) {
+            return a.needed != b.needed ? a.needed > b.needed : a.page < b.page;
+        });
         for (std::size_t i = 0; i < count; ++i) {
-            const page p = pages.emplace_back(others[i].second);
-            free_.push_back(resident_[p].slot);
-            resident_.erase(p);
+            pages.push_back(resident_.back().page);
+            free_.push_back(resident_.back().slot);
+            resident_.pop_back();
         }
-        std::sort(pages.begin(), pages.end());
+        detail::tidy(pages);
         return pages;
     }
 
     /// How many of the pages given up some receiver looked into that the budget's target would have it look into still.
+    template <class = detail::on_use>
     [[nodiscard]] std::size_t popped(std::span<const page_receiver> receivers,
                                      const std::vector<page>& given_up) const {
-        std::vector<bool> pops(given_up.size());
+        std::vector<page> pops;
         for (const page_receiver& r : receivers) {
             const int asked = detail::wanted_level(r, budget_.target, budget_.deepest_level);
             const int found = asked < 0 ? asked : level_at(r.coord);
             if (found >= asked) continue;
             for (int level = budget_.deepest_level; level > found; --level) {
-                const auto at = std::lower_bound(given_up.begin(), given_up.end(), page_at(r.coord, level));
-                if (at == given_up.end() || *at != page_at(r.coord, level)) continue;
-                pops[static_cast<std::size_t>(at - given_up.begin())] = true;
+                const page p = page_at(r.coord, level);
+                const std::size_t at = detail::count_in_front(given_up, [&](const page& other) { return other < p; });
+                if (at == given_up.size() || given_up[at] != p) continue;
+                detail::add(p, pops);
                 break;
             }
         }
-        return static_cast<std::size_t>(std::count(pops.begin(), pops.end(), true));
+        detail::tidy(pops);
+        return pops.size();
     }
 
     page_budget budget_;
     double target_;
     std::uint64_t now_ = 0;
-    std::map<page, held> resident_;
+    std::vector<held> resident_;  // coarse pages first
     std::vector<glm::ivec2> free_;
 };
 
@@ -16136,16 +16415,17 @@ namespace umbrage {
 namespace detail {
 
 /// In the name of a function whose argument they are.
-inline void require_receivers(const hull& receivers, const char* function) {
-    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
+template <class Use = on_use>
+void require_receivers(const rounded_hull<Use>& receivers, const char* function) {
     require(!receivers.points.empty(), function, "receivers", "must not be empty");
-    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
-                receivers.radius >= 0.0,
-            function, "receivers", "must be finite");
+    bool finite = is_finite(receivers.radius) && receivers.radius >= 0.0;
+    for (const glm::dvec3& p : receivers.points) finite = finite && all_finite(p);
+    require(finite, function, "receivers", "must be finite");
 }
 
 /// Points whose hull holds all receivers: in place of a ball the corners of its box.
-[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> corners_of(const hull& receivers) {
     if (!(receivers.radius > 0.0)) return receivers.points;
     std::vector<glm::dvec3> all;
     for (const glm::dvec3& p : receivers.points)
@@ -16163,7 +16443,8 @@ template <real T>
     return frame;
 }
 
-[[nodiscard]] inline std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
     std::vector<glm::dvec3> moved;
     moved.reserve(points.size());
     for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
@@ -16173,7 +16454,8 @@ template <real T>
 struct extent {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
 };
-[[nodiscard]] inline extent extent_of(const std::vector<glm::dvec3>& points) {
+template <class = on_use>
+[[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
     extent e;
     for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
     return e;
@@ -16181,16 +16463,17 @@ struct extent {
 
 /// Counter-clockwise, without what lies on an edge.
 /// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
-[[nodiscard]] inline std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
     std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
-    const auto before = [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-    std::sort(points.begin(), points.end(), before);
+    sort(points, [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
         return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
     };
-    for (int side = 0; side < 2; ++side, std::reverse(points.begin(), points.end())) {
+    for (const bool back : {false, true}) {
         const std::size_t first = hull.size();
-        for (const glm::dvec2& p : points) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const glm::dvec2& p = points[back ? points.size() - 1 - i : i];
             while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
             hull.push_back(p);
         }
@@ -16201,8 +16484,8 @@ struct extent {
 
 /// What the hull of points has in common with a half-space, as points around it: those inside, and of where the lines
 /// between them and the others cross the plane the outermost.
-[[nodiscard]] inline std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points,
-                                                          const glm::dvec4& plane) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points, const glm::dvec4& plane) {
     const glm::dvec3 normal(plane), steep = glm::abs(normal);
     const glm::length_t z = steep.x > steep.y ? (steep.x > steep.z ? 0 : 2) : (steep.y > steep.z ? 1 : 2);
     const glm::length_t x = (z + 1) % 3, y = (z + 2) % 3;
@@ -16236,7 +16519,8 @@ struct extent {
 
 /// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only
 /// rounding tells apart: their direction says nothing.
-[[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
     double longest = 0.0;
@@ -16250,7 +16534,8 @@ struct extent {
 }
 
 /// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
-[[nodiscard]] inline std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
     std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
     const auto [least, greatest] = extent_of(seen);
     const glm::dvec3 low = least - outwards, high = greatest + outwards;
@@ -16259,13 +16544,13 @@ struct extent {
 }
 
 /// The least distance along the light of a box's faces within planes; infinite where none is.
-[[nodiscard]] inline double nearest(const glm::dmat4& frame, const polyhedron& box,
-                                    const std::vector<glm::dvec4>& planes) {
+template <class = on_use>
+[[nodiscard]] double nearest(const glm::dmat4& frame, const polyhedron& box, const std::vector<glm::dvec4>& planes) {
     double least = std::numeric_limits<double>::infinity();
     for (const polyhedron::face& face : box.faces()) {
         std::vector<glm::dvec3> polygon = seen(frame, face.corners);
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = std::min(least, p.z);
+        for (const glm::dvec3& p : polygon) least = detail::lesser(least, p.z);
     }
     return least;
 }
@@ -16395,7 +16680,8 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
     for (const auto& [page, slot] : pages) {
         const light_space<double> light = page_light(root, page, size);
         const image_view<float> map = atlas.region(slot * size.pitch(), glm::ivec2(size.pitch()));
-        for (int y = 0; y < map.size.y; ++y) std::fill_n(map.row(y), map.size.x, cleared_depth(root.clip));
+        for (int y = 0; y < map.size.y; ++y)
+            detail::fill(map.row(y), std::size_t(map.size.x), cleared_depth(root.clip));
         draw(map, glm::mat4(light.projection * light.view));
     }
 }
@@ -16404,14 +16690,15 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 /// @param table   of page_table_size, gets a page_entry for each of the cache's finest cells, row 1 the root's first;
 ///                no page, and around the root: zeros
 /// @throws std::invalid_argument  a table of another size
-inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
+template <class = detail::on_use>
+void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
     detail::require(table.size == page_table_size(cache), "write_page_table", "table",
                     "must have 2^deepest_level + 2 a side");
-    for (int y = 0; y < table.size.y; ++y) std::fill_n(table.row(y), table.size.x, glm::u8vec4(0));
+    for (int y = 0; y < table.size.y; ++y) detail::fill(table.row(y), std::size_t(table.size.x), glm::u8vec4(0));
     cache.for_each([&](const page& p, glm::ivec2 slot) {
         const int cells = (table.size.x - 2) >> p.level;
         for (int y = p.y * cells; y < (p.y + 1) * cells; ++y)
-            std::fill_n(table.row(1 + y) + 1 + p.x * cells, cells, page_entry(slot, p.level));
+            detail::fill(table.row(1 + y) + 1 + p.x * cells, std::size_t(cells), page_entry(slot, p.level));
     });
 }
 
@@ -16784,7 +17071,10 @@ struct tessellated_mesh {
     std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones; world
     std::vector<glm::uvec3> triangles;
 
-    [[nodiscard]] mesh_view view() const { return {positions, triangles}; }
+    template <class View = mesh_view>
+    [[nodiscard]] View view() const {
+        return View{positions, triangles};
+    }
 };
 
 /// How finely a mesh is to be cut.
@@ -16797,13 +17087,14 @@ struct tessellation {
 
 namespace detail {
 
+template <class = on_use>
 class tessellator {
 public:
     tessellator(const mesh_view& mesh, const tessellation& to)
         : light_(to.position),
           range_(double(to.range)),
           sag_(0.75 * double(to.depth_error) * range_),
-          least_cosine_(std::cos(std::min(double(to.angle), 3.0))),
+          least_cosine_(std::cos(detail::lesser(double(to.angle), 3.0))),
           greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
           cut_{{}, {}} {
         for (const glm::vec3& p : mesh.positions) add(p);
@@ -16815,19 +17106,19 @@ public:
 private:
     unsigned add(glm::vec3 p) {
         cut_.positions.push_back(p);
-        distances_.push_back(glm::length(glm::dvec3(p) - light_));
+        vertices_.push_back({glm::length(glm::dvec3(p) - light_)});
         return static_cast<unsigned>(cut_.positions.size() - 1);
     }
 
     /// By how much an edge is too long: what its angle's cosine lacks to 1, or else its error; zeros where it is not.
     /// Its ends alone decide, so that a neighbour's decides alike.
     [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
-        const double p = distances_[a], q = distances_[b];
-        if (std::max(p, q) < sag_) return {0, 0};
+        const double p = vertices_[a].distance, q = vertices_[b].distance;
+        if (detail::greater(p, q) < sag_) return {0, 0};
         const glm::dvec3 to_a = glm::dvec3(cut_.positions[a]) - light_, to_b = glm::dvec3(cut_.positions[b]) - light_;
         const double cosine = glm::dot(to_a, to_b) / (p * q);
         if (cosine < least_cosine_) return {1 - cosine, 0};
-        if (cosine > greatest_cosine_ || std::min(p, q) * cosine > range_) return {0, 0};
+        if (cosine > greatest_cosine_ || detail::lesser(p, q) * cosine > range_) return {0, 0};
         // the mean of both ends' distances against the distance to where the angle's bisector meets the edge
         const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
         return {0, sag > sag_ ? sag : 0};
@@ -16835,10 +17126,10 @@ private:
 
     /// Where the angle's bisector meets the edge, from the same end whichever comes first.
     [[nodiscard]] glm::vec3 middle(unsigned a, unsigned b) const {
-        const auto order = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
-        if (order(cut_.positions[b]) < order(cut_.positions[a])) std::swap(a, b);
-        const double share = distances_[a] / (distances_[a] + distances_[b]);
-        return glm::vec3(glm::mix(glm::dvec3(cut_.positions[a]), glm::dvec3(cut_.positions[b]), share));
+        const glm::vec3 &p = cut_.positions[a], &q = cut_.positions[b];
+        if (q.x != p.x ? q.x < p.x : q.y != p.y ? q.y < p.y : q.z < p.z) return middle(b, a);
+        const double share = vertices_[a].distance / (vertices_[a].distance + vertices_[b].distance);
+        return glm::vec3(glm::mix(glm::dvec3(p), glm::dvec3(q), share));
     }
 
     /// Cuts a triangle in two at its edge that is longest above what it may be, until none is.
@@ -16861,22 +17152,33 @@ private:
                 continue;
             }
             const unsigned a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], m = between(a, b);
-            left.emplace_back(a, m, c);
-            left.emplace_back(m, b, c);
+            left.push_back({a, m, c});
+            left.push_back({m, b, c});
         }
     }
 
     unsigned between(unsigned a, unsigned b) {
-        const auto [found, is_new] = middles_.try_emplace(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), 0u);
-        if (is_new) found->second = add(middle(a, b));
-        return found->second;
+        if (b < a) return between(b, a);
+        for (unsigned m = vertices_[a].middle; m != none; m = vertices_[m].next)
+            if (vertices_[m].end == b) return m;
+        const unsigned m = add(middle(a, b));
+        vertices_[m].end = b;
+        vertices_[m].next = vertices_[a].middle;
+        return vertices_[a].middle = m;
     }
+
+    static constexpr unsigned none = ~0u;
+    struct vertex {
+        double distance;         ///< from the light
+        unsigned middle = none;  ///< of an edge from here to an end of a higher number, the last that was cut;
+        unsigned end = none;     ///< of a middle, that end,
+        unsigned next = none;    ///< and that of the edge cut before it
+    };
 
     glm::dvec3 light_;
     double range_, sag_, least_cosine_, greatest_cosine_;
     tessellated_mesh cut_;
-    std::vector<double> distances_;
-    std::unordered_map<std::uint64_t, unsigned> middles_;
+    std::vector<vertex> vertices_;
 };
 
 }  // namespace detail
@@ -16893,16 +17195,17 @@ private:
 ///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
 ///               stay, and those of half a texel, angle^2 / 8, stay whatever their error: or else triangles that hold
 ///               the light, or are seen edge-on, had no end
-[[nodiscard]] inline tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
+template <class = detail::on_use>
+[[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
     constexpr auto function = "tessellate";
     detail::require(detail::all_finite(to.position), function, "position", "must be finite");
     detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "must be above 0");
     detail::require(is_finite(to.range) && to.range > 0, function, "range", "must be above 0");
     detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "must be above 0 and below 1");
     for (const glm::uvec3& t : mesh.triangles)
-        detail::require(std::max({t.x, t.y, t.z}) < mesh.positions.size(), function, "mesh.triangles",
-                        "must be indices of positions");
-    return detail::tessellator(mesh, to).take();
+        detail::require(detail::greater(detail::greater(t.x, t.y), t.z) < mesh.positions.size(), function,
+                        "mesh.triangles", "must be indices of positions");
+    return detail::tessellator<>(mesh, to).take();
 }
 
 }  // namespace umbrage
@@ -16931,7 +17234,8 @@ void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh,
     image<float> drawn(depth.size);
     for (int i = 0; i < 4; ++i) {
         const light_space<float>& face = faces[static_cast<std::size_t>(i)];
-        for (int y = 0; y < depth.size.y; ++y) std::copy_n(depth.row(y), depth.size.x, drawn.view().row(y));
+        for (int y = 0; y < depth.size.y; ++y)
+            detail::copy(depth.row(y), std::size_t(depth.size.x), drawn.view().row(y));
         rasterize_depth(drawn.view(), mesh, face.projection * face.view, face.clip, cull, parallel);
         for (glm::ivec2 texel{0}; texel.y < depth.size.y; ++texel.y)
             for (texel.x = 0; texel.x < depth.size.x; ++texel.x)
@@ -16979,10 +17283,11 @@ template <class ParallelFor = serial>
         for (int x = 0; x < map.size.x; ++x) {
             const auto code = static_cast<std::uint32_t>(distance_code(map.row(y)[x], of.is_lit)) >> (16 - of.bits);
             codes[{x, y}] = code;
-            least = std::min(least, code), greatest = std::max(greatest, code);
+            least = detail::lesser(least, code), greatest = detail::greater(greatest, code);
         }
     const std::int64_t side = 2 * std::int64_t(of.radius) + 1, spread = std::int64_t(greatest) - std::int64_t(least);
-    const std::int64_t n = std::min<std::int64_t>(side, map.size.x) * std::min<std::int64_t>(side, map.size.y);
+    const std::int64_t n =
+        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
     if (n << of.bits > std::int64_t(1) << 24)
         detail::fail("umbrage::make_variance_table: sums of so large a box need more than 24 bits");
     if (n * (spread * spread + 4) >= std::int64_t(1) << 34)
@@ -17000,7 +17305,8 @@ template <class ParallelFor = serial>
             }
     };
     store(0);
-    for (std::uint32_t& code : codes.texels()) code *= code;
+    for (int y = 0; y < map.size.y; ++y)
+        for (int x = 0; x < map.size.x; ++x) codes[{x, y}] *= codes[{x, y}];
     store(2);
     return table;
 }
@@ -17201,7 +17507,8 @@ template <std::size_t Count, real T>
 }
 
 /// What a part sees of a scene; where that is nothing, all of the part.
-[[nodiscard]] inline hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
+template <class = on_use>
+[[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
     const polyhedron seen = intersection(part, scene);
     return seen.empty() ? hull(part) : hull(seen);
 }
@@ -17376,8 +17683,9 @@ template <real T>
 
 /// What a map sees of a body within planes of the map's space.
 /// @return   nothing where some of it does not lie before w = 0
-[[nodiscard]] inline std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
-                                                       std::vector<glm::dvec4> planes) {
+template <class = on_use>
+[[nodiscard]] std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
+                                                std::vector<glm::dvec4> planes) {
     for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
     extent all;
     for (const polyhedron::face& face : body.faces()) {
@@ -17536,7 +17844,8 @@ namespace detail {
 
 /// What a spot light sees of a hull beyond a distance, within tangents of its sides: points as tangents x / distance,
 /// y / distance, and the distance.
-[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
     for (const glm::dvec4 plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0), glm::dvec4(-1, 0, edge, 0),
                                    glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
         seen = clipped_hull(seen, plane);
@@ -17546,16 +17855,17 @@ namespace detail {
 
 /// The nearest that a box of casters comes to a spot light within what receivers sweep towards it.
 /// @param receivers  tangents;   outwards  the margin around them;   closest  where the sweep ends
-[[nodiscard]] inline double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
-                                            const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
+template <class = on_use>
+[[nodiscard]] double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
+                                     const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
     std::vector<glm::dvec4> planes = sweep(receivers, outwards);
     for (glm::dvec4& plane : planes) plane = {plane.x, plane.y, plane.w, 0.0};  // through the light
     planes.emplace_back(0.0, 0.0, 1.0, -closest);
     // the sweep's end may lie within the casters, none of whose faces it then meets
     const glm::dvec4 end =
         glm::inverse(frame) * glm::dvec4(receivers.front().x * closest, receivers.front().y * closest, closest, 1.0);
-    const bool within = std::all_of(casters.faces().begin(), casters.faces().end(),
-                                    [&](const polyhedron::face& face) { return glm::dot(face.plane, end) >= 0.0; });
+    bool within = true;
+    for (const polyhedron::face& face : casters.faces()) within = within && glm::dot(face.plane, end) >= 0.0;
     return within ? closest : nearest(frame, casters, planes);
 }
 
@@ -17660,7 +17970,8 @@ template <real T>
 }
 
 /// What the lamp sees along its axis: x, y, depth and w, of no warp.
-[[nodiscard]] inline glm::dmat4 map_along(const lamp_view& v) {
+template <class = on_use>
+[[nodiscard]] glm::dmat4 map_along(const lamp_view& v) {
     glm::dmat4 inverse(1.0);  // of the distance: depth and w
     inverse[2] = {0, 0, 0, 1};
     inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
@@ -17736,7 +18047,8 @@ template <real T>
 /// A perspective along y whose centre lies n before the first receivers; in front of them it changes no length.
 /// @return    world to x, y, depth and w
 /// @formula   (x, y, z) / (1 + y / n) about `first`
-[[nodiscard]] inline glm::dmat4 map_along(const along_view& v, double n) {
+template <class = on_use>
+[[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
     const double nearest = v.length * 0x1p-14;  // float holds no more
     const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
@@ -17846,7 +18158,8 @@ struct angles {
     glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
 };
 /// @return   nothing where one of them does not lie ahead
-[[nodiscard]] inline std::optional<angles> angles_of(const std::vector<glm::dvec3>& points) {
+template <class = on_use>
+[[nodiscard]] std::optional<angles> angles_of(const std::vector<glm::dvec3>& points) {
     angles a;
     for (const glm::dvec3& p : points) {
         if (!(p.z > 0.0)) return {};
@@ -17858,8 +18171,9 @@ struct angles {
 
 /// Where in NDC the map's axis goes through: halfway between the angles at which the light's image sees receivers.
 /// @return   nothing where the image stands amid them
-[[nodiscard]] inline std::optional<glm::dvec3> aim(const glm::dvec3& image, const std::vector<glm::dvec3>& receivers,
-                                                   const char* function) {
+template <class = on_use>
+[[nodiscard]] std::optional<glm::dvec3> aim(const glm::dvec3& image, const std::vector<glm::dvec3>& receivers,
+                                            const char* function) {
     const auto [low, high] = extent_of(receivers);
     const glm::dvec3 middle = (low + high) * 0.5;
     // seen from beyond the far plane all of NDC lies the same way
@@ -17885,8 +18199,9 @@ struct ray_map {
 /// @param up          of the map, in NDC at the aim
 /// @param receivers   in NDC
 /// @formula           u = -(l.xyz - l.w aim) / r, k = l.w / r, r its length; depth = u.(p - aim), w = 1 + k depth
-[[nodiscard]] inline ray_map along_rays(const glm::dvec4& light, const glm::dvec3& aim, const glm::dvec3& up,
-                                        const std::vector<glm::dvec3>& receivers, const char* function) {
+template <class = on_use>
+[[nodiscard]] ray_map along_rays(const glm::dvec4& light, const glm::dvec3& aim, const glm::dvec3& up,
+                                 const std::vector<glm::dvec3>& receivers, const char* function) {
     const glm::dvec3 back = glm::dvec3(light) - aim * light.w;
     const double bend = light.w / glm::length(back);
     glm::dmat4 rays = light_frame(look_along(aim, -back, up, handedness::right, function, "camera"), handedness::right);
@@ -17911,7 +18226,8 @@ struct ray_map {
 
 /// A map whose receivers fill -1 to 1, w 1 at the least of them, and that mirrors nothing: maps of one light that are
 /// laid so can be mixed, as rays are texels in each.
-[[nodiscard]] inline glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
+template <class = on_use>
+[[nodiscard]] glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
     extent box;
     double least = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& p : corners_of(receivers)) {
@@ -18029,7 +18345,8 @@ inline constexpr T plane_optimal_rounding = T(0x1p-20);
 namespace detail {
 
 /// Where a plane cuts a body's edges: the corners of what they have in common.
-[[nodiscard]] inline std::vector<glm::dvec3> crossings(const polyhedron& body, const glm::dvec4& plane) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> crossings(const polyhedron& body, const glm::dvec4& plane) {
     std::vector<glm::dvec3> all;
     for (const polyhedron::face& face : body.faces())
         for (std::size_t i = 0; i < face.corners.size(); ++i) {
@@ -18236,7 +18553,7 @@ template <known_encoding Encoding>
                     std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
         if constexpr (has_edge<Encoding>) {
             std::string edge = std::to_string(encoding.edge);
-            edge.resize(std::max(edge.find_last_not_of('0') + 1, edge.find('.') + 2));
+            while (edge.back() == '0' && edge[edge.size() - 2] != '.') edge.pop_back();
             map.depth += ", " + edge;
         }
         map.depth += ')';
@@ -18252,7 +18569,9 @@ struct bound {
     binding map{};
     bool by_macros = true;  ///< in GLSL the hooks are macros of the shader's
 
+    template <class = umbrage::detail::on_use>
     bound(const snippet& s) : what(s) {}
+    template <class = umbrage::detail::on_use>
     bound(const snippet& s, std::string_view name, binding b)
         : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)), by_macros(false) {}
 };
@@ -18260,7 +18579,8 @@ struct bound {
 /// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
 /// @param name   letters, digits, single underscores between them
 /// @throws std::invalid_argument  another name
-[[nodiscard]] inline bound bind(const snippet& what, std::string_view name, binding map = {}) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
     char before = '_';
     for (const char c : name) {
         if (!detail::is_word(c) || (c == '_' && before == '_'))
@@ -18619,7 +18939,8 @@ namespace umbrage::glsl::detail {
 
 /// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as
 /// far out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
-[[nodiscard]] inline std::string broken(std::string statement) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string broken(std::string statement) {
     const std::size_t margin = statement.find_first_not_of(' ');
     std::string out;
     std::vector<std::size_t> brackets;  // columns behind those that are open where the line at work begins
@@ -18646,7 +18967,8 @@ namespace umbrage::glsl::detail {
 }
 
 /// The text with the lines of each statement joined and broken again; a comment or a directive stays as it is.
-[[nodiscard]] inline std::string laid_out(std::string_view text) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string laid_out(std::string_view text) {
     const auto next_line = [&] {
         const std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(line.size() < text.size() ? line.size() + 1 : line.size());
@@ -18742,9 +19064,11 @@ template <class Replacement>
 
 /// The function that a map has in place of a hook's own text; other snippets as they are.
 /// @throws std::invalid_argument  the map cannot have what is asked of it
-[[nodiscard]] inline const snippet& chosen(const snippet& s, const binding& b) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
     const bool forward = b.direction == depth_direction::forward;
-    const bool scaled = std::any_of(b.needs.begin(), b.needs.end(), [](const snippet& n) { return n.scaled; });
+    bool scaled = false;
+    for (const snippet& need : b.needs) scaled = scaled || need.scaled;
     switch (s.role) {
         case hook::none:
         case hook::chosen: return s;
@@ -18783,13 +19107,16 @@ template <class Replacement>
 }
 
 /// Whether a snippet's functions are a map's own: they are hooks, or call some.
-[[nodiscard]] inline bool is_of_map(const snippet& s) {
-    return s.role != hook::none ||
-           std::any_of(s.needs.begin(), s.needs.end(), [](const snippet* need) { return is_of_map(*need); });
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_of_map(const snippet& s) {
+    for (const snippet* need : s.needs)
+        if (is_of_map(*need)) return true;
+    return s.role != hook::none;
 }
 
 /// What a text calls its map: `map`, or `table`.
-[[nodiscard]] inline std::string name_of_map(std::string_view text) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string name_of_map(std::string_view text) {
     const std::string_view type = "UMBRAGE_MAP ";
     const auto at = text.find(type);
     if (at == text.npos) return "map";
@@ -18798,8 +19125,8 @@ template <class Replacement>
 }
 
 /// A snippet's text with what a map fills in.
-[[nodiscard]] inline std::string for_map(std::string text, const snippet& s, const bound& item,
-                                         const texture_words& words) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words) {
     const binding& map = item.map;
     const auto one_of = [](const std::string& own, std::string_view ordinary) {
         return own.empty() ? std::string(ordinary) : own;
@@ -18820,15 +19147,16 @@ template <class Replacement>
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
     const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
         std::string all = one_of(own, ordinary);
-        if (own.empty() && map.gather) all.insert(std::min(all.find(','), all.size()), sampler);
+        if (own.empty() && map.gather) all.insert(all.substr(0, all.find(',')).size(), sampler);
         return replace_words(all,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
     };
 
     const auto suffixed = [&](std::string_view word) {
         const auto is_it = [name = word.substr(8)](const snippet& own) { return own.name == name && is_of_map(own); };
-        const bool own = word.substr(8) == s.name || std::any_of(map.needs.begin(), map.needs.end(), is_it) ||
-                         std::any_of(s.needs.begin(), s.needs.end(), [&](const snippet* n) { return is_it(*n); });
+        bool own = word.substr(8) == s.name;
+        for (const snippet& need : map.needs) own = own || is_it(need);
+        for (const snippet* need : s.needs) own = own || is_it(*need);
         return std::string(word) + (own ? item.suffix : std::string());
     };
     const auto of_texture = [&](std::string_view expression) {
@@ -18859,9 +19187,10 @@ template <class Replacement>
 }
 
 /// One text in the making.
+template <class = umbrage::detail::on_use>
 class composition {
 public:
-    composition(const language& l, std::span<const bound> items) : language_(l), items_(items.begin(), items.end()) {
+    composition(const language& l, const std::vector<bound>& items) : language_(l), items_(items) {
         binding one;  // the shader's one map compares on a scale of its own if anything here makes such depths
         for (const bound& item : items_)
             if (item.by_macros && item.what.scaled) one.needs.push_back(item.what);
@@ -18894,7 +19223,8 @@ private:
         if (is_of_map(s) != of_map) return;
         std::string guard = "UMBRAGE_HAS_" + std::string(s.name) + (of_map ? item.suffix : std::string());
         for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-        if (std::find(done_.begin(), done_.end(), guard) != done_.end()) return;
+        for (const std::string& done : done_)
+            if (done == guard) return;
         const std::string body = language_.translate(s);
         if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
         text_ += of_map && !by_macros ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
@@ -18909,18 +19239,18 @@ private:
 };
 
 /// A line that names what follows, then it.
-[[nodiscard]] inline std::string compose(const language& l, std::span<const bound> items) {
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string compose(const language& l, const std::vector<bound>& items) {
     std::string title = "// umbrage " + std::to_string(UMBRAGE_VERSION_MAJOR) + '.' +
                         std::to_string(UMBRAGE_VERSION_MINOR) + '.' + std::to_string(UMBRAGE_VERSION_PATCH) +
                         ", MIT License";
-    std::vector<std::string> names;
+    std::string names = ": ";
     for (const bound& item : items) {
-        std::string name = std::string(item.what.name) + item.suffix;
-        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-        title += (names.empty() ? ": " : ", ") + name;
-        names.push_back(std::move(name));
+        const std::string name = std::string(item.what.name) + item.suffix + ", ";
+        if (names.find(' ' + name) == names.npos) names += name;
     }
-    return title + '\n' + std::string(l.prelude) + composition(l, items).text();
+    names.resize(names.size() - 2);
+    return title + names + '\n' + std::string(l.prelude) + composition<Use>(l, items).text();
 }
 
 }  // namespace umbrage::glsl::detail
@@ -19033,15 +19363,12 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
     return words;
 }
 
+template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
                                         .macros = true,
                                         .scaled_macro = scaled_macro};
-
-[[nodiscard]] inline std::vector<bound> unbound(std::span<const snippet> snippets) {
-    return {snippets.begin(), snippets.end()};
-}
 
 }  // namespace detail
 
@@ -19061,17 +19388,23 @@ inline constexpr language glsl_language{.prelude = prelude,
 
 /// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
 /// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name
-[[nodiscard]] inline std::string text(std::span<const bound> items) {
-    return detail::compose(detail::glsl_language, items);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const bound> items) {
+    return detail::compose<Use>(detail::glsl_language<Use>, {items.begin(), items.end()});
 }
-[[nodiscard]] inline std::string text(std::span<const snippet> snippets) { return text(detail::unbound(snippets)); }
-[[nodiscard]] inline std::string text(std::initializer_list<bound> items) {
-    return text(std::span(items.begin(), items.size()));
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const snippet> snippets) {
+    return detail::compose<Use>(detail::glsl_language<Use>, {snippets.begin(), snippets.end()});
+}
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::initializer_list<bound> items) {
+    return detail::compose<Use>(detail::glsl_language<Use>, items);
 }
 
-/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
-/// @throws std::invalid_argument   as text; when the dialect has not what a snippet or a map needs
-[[nodiscard]] inline std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
+namespace detail {
+
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, const std::vector<bound>& items, std::string_view preamble) {
     for (const bound& item : items)
         if (!supports(item, v))
             umbrage::detail::fail("umbrage::glsl::source: GLSL " + std::string(directive(v)) + " is too old for " +
@@ -19081,13 +19414,24 @@ inline constexpr language glsl_language{.prelude = prelude,
     out += '\n';
     out += preamble;
     if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + text(items);
+    return out + compose<Use>(glsl_language<Use>, items);
 }
-[[nodiscard]] inline std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
-    return source(v, detail::unbound(snippets), preamble);
+
+}  // namespace detail
+
+/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+/// @throws std::invalid_argument   as text; when the dialect has not what a snippet or a map needs
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
+    return detail::source<Use>(v, {items.begin(), items.end()}, preamble);
 }
-[[nodiscard]] inline std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
-    return source(v, std::span(items.begin(), items.size()), preamble);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
+    return detail::source<Use>(v, {snippets.begin(), snippets.end()}, preamble);
+}
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
+    return detail::source<Use>(v, items, preamble);
 }
 
 }  // namespace umbrage::glsl
@@ -19134,7 +19478,8 @@ struct token {
 
 /// The pieces of `text`, which must outlive them; the last is an end, whose space is what is left.
 /// @throws std::invalid_argument   for a character that is none of GLSL's
-[[nodiscard]] inline std::vector<token> tokens(std::string_view text) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<token> tokens(std::string_view text) {
     std::vector<token> all;
     for (std::size_t i = 0;;) {
         const std::size_t from = i;
@@ -19166,7 +19511,8 @@ struct token {
 }
 
 /// Of "#if __VERSION__ >= ..." what stands before its #else: what languages take that have all of the newest GLSL.
-[[nodiscard]] inline std::vector<token> newest(std::vector<token> all) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<token> newest(std::vector<token> all) {
     enum { outside, before, behind } place = outside;  // of #else
     std::erase_if(all, [&](const token& t) {
         if (t.kind != piece::directive) return place == behind;
@@ -19180,7 +19526,8 @@ struct token {
 
 /// The bracket that closes the one at all[i].
 /// @throws std::invalid_argument   where none does
-[[nodiscard]] inline std::size_t closing(std::span<const token> all, std::size_t i) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::size_t closing(const std::vector<token>& all, std::size_t i) {
     std::size_t depth = 0;
     for (std::size_t k = i; k < all.size(); ++k) {
         if (all[k].kind != piece::sign) continue;
@@ -19299,15 +19646,16 @@ namespace umbrage::glsl::detail {
 struct near_language {
     std::string_view name;
     std::string_view word::*own;
-    std::string_view precise;                    ///< for UMBRAGE_PRECISE; empty: nothing
-    std::string_view function;                   ///< before each function's type,
-    std::string_view condition;                  ///< and before that of one that tells true from false
-    bool matrices_have_rows;                     ///< m[i] is a row of m, its constructor takes rows
-    bool vectors_of_one_are_cast;                ///< vec4(x) is (float4)x
-    std::span<const std::string_view> reserved;  ///< what GLSL may call a variable, and this language may not
+    std::string_view precise;      ///< for UMBRAGE_PRECISE; empty: nothing
+    std::string_view function;     ///< before each function's type,
+    std::string_view condition;    ///< and before that of one that tells true from false
+    bool matrices_have_rows;       ///< m[i] is a row of m, its constructor takes rows
+    bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
+    std::string_view reserved;     ///< what GLSL may call a variable, and this language may not: " a b "
 };
 
 /// Prints functions in a near language.
+template <class = umbrage::detail::on_use>
 class word_by_word {
 public:
     word_by_word(const near_language& language, std::string_view text)
@@ -19380,8 +19728,7 @@ private:
             out += language_.function;
             if (all_[i] == "bool") out += language_.condition;
         } else {
-            for (std::string_view reserved : language_.reserved)
-                if (name == reserved) unknown(language_.name, name);
+            if (language_.reserved.find(' ' + std::string(name) + ' ') != name.npos) unknown(language_.name, name);
             variables_.push_back({name, all_[i].text});
         }
         out += own;
@@ -19474,9 +19821,6 @@ namespace umbrage::hlsl {
 
 namespace detail {
 
-inline constexpr std::array<std::string_view, 8> reserved{"line",  "linear", "matrix",   "pass",
-                                                          "point", "sample", "triangle", "vector"};
-
 inline constexpr glsl::detail::near_language near{.name = "hlsl",
                                                   .own = &glsl::detail::word::hlsl,
                                                   .precise = "precise",
@@ -19484,7 +19828,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                                                   .condition = "precise ",  // FXC makes !(a > b) of a <= b elsewhere
                                                   .matrices_have_rows = true,
                                                   .vectors_of_one_are_cast = true,
-                                                  .reserved = reserved};
+                                                  .reserved = " line linear matrix pass point sample triangle vector "};
 
 [[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
     using enum glsl::texture;
@@ -19565,9 +19909,10 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
     return words;
 }
 
+template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
     .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source.str()).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(near, s.source.str()).print());
     }};
 
 }  // namespace detail
@@ -19579,12 +19924,14 @@ inline constexpr glsl::detail::language language{
 /// from or compared by its sampler, needs the binding's texture_size.
 ///
 /// @throws std::invalid_argument   for what HLSL has no word for
-[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose(detail::language, items);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
 }
 
-[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return hlsl::text(std::span(items.begin(), items.size()));
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
 }  // namespace umbrage::hlsl
@@ -19607,10 +19954,6 @@ inline constexpr std::string_view prelude =
 
 namespace detail {
 
-inline constexpr std::array<std::string_view, 16> reserved{
-    "as_type", "char",   "constant", "device", "fragment", "half",  "kernel", "long",
-    "metal",   "object", "sampler",  "short",  "thread",   "uchar", "ushort", "vertex"};
-
 inline constexpr glsl::detail::near_language near{.name = "msl",
                                                   .own = &glsl::detail::word::msl,
                                                   .precise = "",
@@ -19618,7 +19961,9 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                                                   .condition = "",
                                                   .matrices_have_rows = false,
                                                   .vectors_of_one_are_cast = false,
-                                                  .reserved = reserved};
+                                                  .reserved =
+                                                      " as_type char constant device fragment half kernel long metal "
+                                                      "object sampler short thread uchar ushort vertex "};
 
 [[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
     using enum glsl::texture;
@@ -19705,9 +20050,10 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
     return words;
 }
 
+template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
     .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source.str()).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(near, s.source.str()).print());
     }};
 
 }  // namespace detail
@@ -19715,12 +20061,14 @@ inline constexpr glsl::detail::language language{
 /// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
 /// shader.
 /// @throws std::invalid_argument   for what Metal has no word for
-[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose(detail::language, items);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
 }
 
-[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return msl::text(std::span(items.begin(), items.size()));
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
 }  // namespace umbrage::msl
@@ -19736,30 +20084,29 @@ namespace umbrage::glsl {
 namespace detail {
 
 /// Snippets in order, each once, what it needs before it.
+template <class = umbrage::detail::on_use>
 class collection {
 public:
     collection& add(const snippet* s) {
         // By name: a program and a library that it loads may each have a copy.
-        if (!names_.insert(s->name).second) return *this;
+        for (const snippet* member : members_)
+            if (*member == *s) return *this;
         for (const snippet* need : s->needs) add(need);
         members_.push_back(s);
         return *this;
     }
-    template <class... Lists>
-    collection& add_all(const Lists&... lists) {
-        const auto each = [&](const auto& some) {
+    collection& add_all(std::initializer_list<snippet_span> lists) {
+        for (const snippet_span& some : lists)
             for (const snippet* s : some) add(s);
-        };
-        (each(lists), ...);
         return *this;
     }
     template <class... Encodings>
     collection& add_writers(const list_of<Encodings...>*) {
-        return add_all(std::array{Encodings::writer...});
+        return (add(Encodings::writer), ..., *this);
     }
     template <class... Encodings>
     collection& add_readers(const list_of<Encodings...>*) {
-        return add_all(std::array{(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader)...});
+        return (add(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader), ..., *this);
     }
     template <class... Filters>
     collection& add_filters(const list_of<Filters...>*) {
@@ -19777,44 +20124,44 @@ private:
         } else add(Filter::snippet);
     }
 
-    std::set<std::string_view> names_;
     std::vector<const snippet*> members_;
 };
 
 }  // namespace detail
 
 /// All of them. Made when it is first asked for: a program that does not ask carries no snippet for it.
-[[nodiscard]] inline std::span<const snippet* const> registry() {
-    static const std::vector<const snippet*> all = [] {
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::span<const snippet* const> registry() {
+    static const auto all = [] {
         const encodings* const every_encoding = nullptr;
         const umbrage::filters::all* const every_filter = nullptr;
-        return detail::collection()
+        return detail::collection<Use>()
             // light
-            .add_all(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
-                     dual_paraboloid_snippets, tetrahedron_snippets, pancake_snippets, page_table_snippets)
+            .add_all({texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
+                      dual_paraboloid_snippets, tetrahedron_snippets, pancake_snippets, page_table_snippets})
             // depth
-            .add_all(kinds_snippets, scalar_snippets, floor_divide_snippets, unorm_snippets)
+            .add_all({kinds_snippets, scalar_snippets, floor_divide_snippets, unorm_snippets})
             .add_writers(every_encoding)
-            .add_all(rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>)
+            .add_all({rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>})
             .add_readers(every_encoding)
-            .add_all(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets)
+            .add_all({rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets})
             // filter
-            .add_all(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets,
-                     disc_snippets)
+            .add_all({clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets,
+                      disc_snippets})
             .add_filters(every_filter)
-            .add_all(pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
-                     window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets,
-                     pcss_snippets, pcss_hardware_snippets, dpcf_snippets, summed_variance_snippets,
-                     summed_moments_snippets)
-            .add_all(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
-                     hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets)
+            .add_all({pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
+                      window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets,
+                      pcss_snippets, pcss_hardware_snippets, dpcf_snippets, summed_variance_snippets,
+                      summed_moments_snippets})
+            .add_all({exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
+                      hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets})
             // bias, shade, view
-            .add_all(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets, kernel_snippets,
-                     receiver_plane_snippets, acne_free_snippets)
-            .add_all(lighting_snippets, false_colour_snippets, overlay_texel_snippets)
+            .add_all({light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets, kernel_snippets,
+                      receiver_plane_snippets, acne_free_snippets})
+            .add_all({lighting_snippets, false_colour_snippets, overlay_texel_snippets})
             .members();
     }();
-    return all;
+    return {all.data(), all.size()};  // a conversion checks concepts
 }
 
 }  // namespace umbrage::glsl
@@ -19884,11 +20231,15 @@ using glsl::detail::token;
 
 /// A function of the text: one overload.
 struct signature {
-    std::string name;  ///< in WGSL, which has no overloads
-    std::vector<std::string> parameters;
+    std::string name, wgsl;  ///< WGSL has no overloads
+    std::string parameters;  ///< their types, a comma behind each
     std::string gives;
 };
-using signatures = std::multimap<std::string, signature, std::less<>>;
+using signatures = std::vector<signature>;
+
+struct variable {
+    std::string name, type;
+};
 
 struct value {
     std::string text, type;
@@ -19906,7 +20257,10 @@ struct value {
 }
 
 /// What a map fills in, and its type in GLSL. Printed as it is.
-inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
+struct word_of_map {
+    std::string_view word, type;
+};
+inline constexpr word_of_map words_of_maps[]{
     {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
     {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
     {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_UV", "vec2"},
@@ -19915,13 +20269,14 @@ inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
 /// Reads a text from the beginning on and gives its expressions in WGSL.
+template <class = umbrage::detail::on_use>
 class expressions {
 public:
     expressions(std::string_view text, const signatures& functions)
         : all_(glsl::detail::newest(glsl::detail::tokens(text))), functions_(functions) {}
 
-    std::size_t at = 0;                                     ///< the next token
-    std::map<std::string, std::string, std::less<>> types;  ///< of variables in scope
+    std::size_t at = 0;               ///< the next token
+    std::vector<variable> variables;  ///< in scope; of two of one name the last counts
 
     /// The last, an end, is never taken.
     [[nodiscard]] const token& next() const { return all_[at]; }
@@ -19957,6 +20312,13 @@ public:
     }
 
 protected:
+    /// nullptr: there is none.
+    [[nodiscard]] const signature* overload(std::string_view name, std::string_view parameters) const {
+        for (const signature& f : functions_)
+            if (f.name == name && f.parameters == parameters) return &f;
+        return nullptr;
+    }
+
     const std::vector<token> all_;
 
 private:
@@ -19965,9 +20327,11 @@ private:
     static constexpr int equality_level = 6, relation_level = 7, shift_level = 8, unary_level = 11, primary_level = 12;
 
     static int level_of(std::string_view sign) {
-        static constexpr std::pair<std::string_view, int> levels[]{
-            {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
-            {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
+        static constexpr struct {
+            std::string_view sign;
+            int level;
+        } levels[]{{"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
+                   {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
         for (const auto& [text, level] : levels)
             if (text == sign) return level;
         return 0;
@@ -20051,8 +20415,8 @@ private:
         if (t.kind != piece::word) reject("unexpected " + text);
         if (t == "true" || t == "false") return {text, "bool", primary_level};
         if (next() == "(") return call(text);
-        if (const auto variable = types.find(text); variable != types.end())
-            return {text, variable->second, primary_level};
+        for (std::size_t i = variables.size(); i-- > 0;)
+            if (variables[i].name == text) return {text, variables[i].type, primary_level};
         for (const auto& [word, type] : words_of_maps)
             if (word == text) return {text, std::string(type), primary_level};
         glsl::detail::unknown("wgsl", text);
@@ -20067,15 +20431,13 @@ private:
         }
         const std::string close = expect(")");
         if (glsl::detail::is_type(function)) return constructed(function, arguments, close);
-        const auto [first, last] = functions_.equal_range(function);
-        if (first == last) return built_in(function, arguments, close);
-        for (auto f = first; f != last; ++f) {
-            const auto same = [](const std::string& type, const value& v) { return type == v.type; };
-            const auto& wanted = f->second.parameters;
-            if (std::equal(wanted.begin(), wanted.end(), arguments.begin(), arguments.end(), same))
-                return {f->second.name + listed(arguments) + close, f->second.gives, primary_level};
-        }
-        reject("no overload of " + function + " takes what it is given");
+        std::string given;
+        for (const value& v : arguments) given += v.type + ',';
+        if (const signature* f = overload(function, given))
+            return {f->wgsl + listed(arguments) + close, f->gives, primary_level};
+        for (const signature& f : functions_)
+            if (f.name == function) reject("no overload of " + function + " takes what it is given");
+        return built_in(function, arguments, close);
     }
 
     static std::string listed(const std::vector<value>& arguments) {
@@ -20137,19 +20499,17 @@ private:
 namespace umbrage::wgsl::detail {
 
 /// Prints a snippet's text, GLSL whose only lines of the preprocessor are about its version.
-class printer : expressions {
-    struct parameter {
-        std::string type, name;
-    };
+template <class = umbrage::detail::on_use>
+class printer : expressions<> {
     struct head {
         std::string_view space;
         std::string gives, name;
-        std::vector<parameter> parameters;
+        std::vector<variable> parameters;
     };
 
 public:
     /// @param functions   those that the text may call; its own are added
-    printer(std::string_view text, signatures& functions) : expressions(text, functions), functions_(functions) {}
+    printer(std::string_view text, signatures& functions) : expressions<>(text, functions), functions_(functions) {}
 
     /// Adds the signatures of the text's functions. Where several share a name, their first type is a part of it.
     void declare() {
@@ -20163,12 +20523,12 @@ public:
             at = glsl::detail::closing(all_, at) + 1;
         }
         for (const head& h : all) {
-            const bool alone =
-                std::count_if(all.begin(), all.end(), [&](const head& other) { return other.name == h.name; }) == 1;
+            bool alone = true;
+            for (const head& other : all) alone = alone && (&other == &h || other.name != h.name);
             const bool plain = alone || h.parameters.empty() || h.parameters[0].type == "float";
-            signature s{h.name + (plain ? "" : "_" + name_of(h.parameters[0].type)), {}, h.gives};
-            for (const parameter& p : h.parameters) s.parameters.push_back(p.type);
-            functions_.emplace(h.name, std::move(s));
+            signature s{h.name, h.name + (plain ? "" : "_" + name_of(h.parameters[0].type)), {}, h.gives};
+            for (const variable& p : h.parameters) s.parameters += p.type + ',';
+            functions_.push_back(std::move(s));
         }
     }
 
@@ -20190,7 +20550,7 @@ private:
     std::string read_type() {
         skip_qualifiers();
         const std::string type(take().text);
-        if (!is_map(type)) std::ignore = name_of(type);
+        if (!is_map(type)) static_cast<void>(name_of(type));
         return type;
     }
 
@@ -20207,7 +20567,7 @@ private:
         while (!(next() == ")")) {
             if (!h.parameters.empty()) expect(",");
             std::string type = read_type();
-            h.parameters.push_back({std::move(type), read_name()});
+            h.parameters.push_back({read_name(), std::move(type)});
         }
         expect(")");
         return h;
@@ -20231,45 +20591,41 @@ private:
 
     void function() {
         const head h = read_head();
-        note_assignments();
-        types.clear();
-        std::string parameters, copies, name;
-        std::vector<std::string> given;
-        for (const parameter& p : h.parameters) {
-            types[p.name] = p.type;
-            given.push_back(p.type);
+        body_ = at;
+        variables = h.parameters;
+        std::string given, parameters, copies;
+        for (const variable& p : h.parameters) {
+            given += p.type + ',';
             if (!parameters.empty()) parameters += ", ";
             if (is_map(p.type)) {
                 parameters += p.type + " " + p.name;
             } else {
-                const bool copied = assigned_.contains(p.name);
+                const bool copied = is_assigned(p.name);
                 const std::string type = ": " + name_of(p.type), outer = p.name + (copied ? "_in" : "");
                 parameters += outer + type;
                 if (copied) copies += "\n    var " + p.name + type + " = " + outer + ";";
             }
         }
-        const auto [first, last] = functions_.equal_range(h.name);
-        for (auto f = first; f != last; ++f)
-            if (f->second.parameters == given) name = f->second.name;
-        write(h.space, "fn " + name + "(" + parameters + ") -> " + name_of(h.gives) + expect("{"));
+        const signature* const f = overload(h.name, given);
+        write(h.space, "fn " + (f ? f->wgsl : "") + "(" + parameters + ") -> " + name_of(h.gives) + expect("{"));
         out_ += copies;
         block();
     }
 
-    /// Finds which names the body that comes next writes to.
-    void note_assignments() {
+    /// Whether the function's body writes to what has that name.
+    [[nodiscard]] bool is_assigned(std::string_view name) const {
         static constexpr std::string_view signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
-        assigned_.clear();
-        const std::size_t end = glsl::detail::closing(all_, at);
-        for (std::size_t i = at + 1; i < end; ++i) {
-            if (all_[i].kind != piece::word || glsl::detail::is_type(all_[i - 1].text)) continue;
+        const std::size_t end = glsl::detail::closing(all_, body_);
+        for (std::size_t i = body_ + 1; i < end; ++i) {
+            if (!(all_[i] == name) || glsl::detail::is_type(all_[i - 1].text)) continue;
             std::size_t behind = i + 1;
             while (all_[behind] == "." || all_[behind] == "[")
                 behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind) + 1;
-            const bool before = all_[i - 1] == "++" || all_[i - 1] == "--";
-            if (before || std::find(std::begin(signs), std::end(signs), all_[behind].text) != std::end(signs))
-                assigned_.emplace(all_[i].text);
+            if (all_[i - 1] == "++" || all_[i - 1] == "--") return true;
+            for (std::string_view sign : signs)
+                if (all_[behind] == sign) return true;
         }
+        return false;
     }
 
     /// What is behind an opening brace, and the closing one.
@@ -20340,11 +20696,11 @@ private:
             expect("[");
             const std::string size = expression().text;
             expect("]");
-            types[name] = type + "[" + size + "]";
+            variables.push_back({name, type + "[" + size + "]"});
             return "var " + name + ": array<" + name_of(type) + ", " + size + ">";
         }
         const bool initialised = next() == "=";
-        const bool changes = assigned_.contains(name) || !initialised;
+        const bool changes = is_assigned(name) || !initialised;
         std::string text = std::string(constant ? "const " : changes ? "var " : "let ") + name + ": " + name_of(type);
         if (initialised) {
             text += expect("=");
@@ -20352,7 +20708,7 @@ private:
             if (v.type != type && !v.literal) reject(type + " " + name + " of " + v.type);
             text += v.text;
         }
-        types[name] = type;
+        variables.push_back({name, type});
         return text;
     }
 
@@ -20392,7 +20748,7 @@ private:
 
     signatures& functions_;
     std::string out_;
-    std::set<std::string, std::less<>> assigned_;
+    std::size_t body_ = 0;  // of the function being printed: its opening brace
 };
 
 }  // namespace umbrage::wgsl::detail
@@ -20493,30 +20849,35 @@ namespace detail {
     return words;
 }
 
-inline void declare(const glsl::snippet& s, signatures& functions) {
+template <class Use = umbrage::detail::on_use>
+void declare(const glsl::snippet& s, signatures& functions) {
     for (const glsl::snippet* need : s.needs) declare(*need, functions);
-    printer(s.source.str(), functions).declare();
+    printer<Use>(s.source.str(), functions).declare();
 }
 
-[[nodiscard]] inline std::string translate(const glsl::snippet& s) {
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string translate(const glsl::snippet& s) {
     signatures functions;
-    declare(s, functions);
-    return glsl::detail::laid_out(printer(s.source.str(), functions).print());
+    declare<Use>(s, functions);
+    return glsl::detail::laid_out(printer<Use>(s.source.str(), functions).print());
 }
 
+template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
-    .prelude = "", .texture = textures, .translate = translate, .preprocessor = false};
+    .prelude = "", .texture = textures, .translate = translate<Use>, .preprocessor = false};
 
 }  // namespace detail
 
 /// The snippets, or what bind() gives for a map, and all they need, each function once: text to paste into any shader.
 /// @throws std::invalid_argument   for what WGSL has no word for
-[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose(detail::language, items);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
 }
 
-[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return wgsl::text(std::span(items.begin(), items.size()));
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
 }  // namespace umbrage::wgsl
