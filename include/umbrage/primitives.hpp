@@ -5,7 +5,6 @@
 // come with <umbrage/umbrage.hpp> or in headers of their own. Made by single_include/amalgamate.cmake.
 #pragma once
 
-#include <umbrage/algorithm.hpp>
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/constant.hpp>
 #include <umbrage/bias/kernel.hpp>

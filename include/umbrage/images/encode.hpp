@@ -9,7 +9,7 @@
 // that compilers can vectorise; any other type like them works as well.
 #pragma once
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>

@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/blocks/box_bounds.hpp>
 
 namespace umbrage {

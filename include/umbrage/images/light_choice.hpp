@@ -21,7 +21,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/images/quality.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/texture_matrix.hpp>

@@ -15,7 +15,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/filter/table/summed_moments.hpp>
 #include <umbrage/image.hpp>

@@ -22,7 +22,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/light_space.hpp>

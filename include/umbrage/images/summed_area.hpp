@@ -17,7 +17,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/dispatch.hpp>

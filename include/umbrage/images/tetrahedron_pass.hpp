@@ -11,7 +11,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>

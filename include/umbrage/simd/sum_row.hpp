@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>

@@ -20,7 +20,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/scalar.hpp>

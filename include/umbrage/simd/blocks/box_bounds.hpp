@@ -9,7 +9,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/bits.hpp>

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/scalar.hpp>

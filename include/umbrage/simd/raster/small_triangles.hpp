@@ -15,7 +15,7 @@
 #include <bit>
 #include <cstdint>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/raster/triangles.hpp>

@@ -16,7 +16,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>

@@ -21,7 +21,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/images/mesh.hpp>

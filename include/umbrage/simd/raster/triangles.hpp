@@ -18,7 +18,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>

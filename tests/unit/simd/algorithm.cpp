@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/algorithm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace detail = umbrage::detail;
 
