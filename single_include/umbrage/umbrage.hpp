@@ -14559,8 +14559,8 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
 
 namespace umbrage::detail {
 
-/// saturate(), NaN to `highest` or, reversed, to 0. What is not taken for 0 is one range of bits, so that one comparison
-/// finds it: signed integers above -infinity's, negative NaNs among them; or unsigned ones up to infinity's.
+/// saturate(), NaN to `highest` or, reversed, to 0. What is not taken for 0 is one range of bits, which one comparison
+/// finds: signed integers above -infinity's, negative NaNs among them; or unsigned ones up to infinity's.
 template <depth_direction Direction>
 struct saturated {
     [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
@@ -14627,7 +14627,8 @@ struct rg_codec {
                 UMBRAGE_NO_OVERLAP
                 for (int i = 0; i < block; ++i) {
                     const auto x = static_cast<std::uint16_t>(saturate.code(depth[i], codes));
-                    const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
+                    const auto stored = static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up);
+                    const std::uint16_t word = in_memory(stored);
                     std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
                 }
             });
@@ -15615,7 +15616,7 @@ namespace detail {
 /// Rows of a table that are summed from zero, then put on top of what is before them.
 inline constexpr int band_rows = 64;
 
-/// Columns of the strips that threads take: whole blocks, alike wide, two or more strips where there are so many blocks.
+/// Columns of the strips that threads take: whole blocks, alike wide, two strips or more where there are two blocks.
 /// Each row of a strip lies on a page of its own, so that narrow ones are slower.
 [[nodiscard]] inline int columns_a_strip(int width) {
     constexpr int widest = 1024;

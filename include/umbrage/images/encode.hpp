@@ -9,10 +9,10 @@
 // that compilers can vectorise; any other type like them works as well.
 #pragma once
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/blocks/codec.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>

@@ -16,10 +16,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/unorm.hpp>
 #include <umbrage/view/overlay_texel.hpp>
 

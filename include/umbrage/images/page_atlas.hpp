@@ -21,12 +21,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/adaptive/root.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -22,12 +22,12 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -17,9 +17,9 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
 #include <umbrage/simd/strict_math.hpp>
@@ -32,7 +32,7 @@ namespace detail {
 /// Rows of a table that are summed from zero, then put on top of what is before them.
 inline constexpr int band_rows = 64;
 
-/// Columns of the strips that threads take: whole blocks, alike wide, two or more strips where there are so many blocks.
+/// Columns of the strips that threads take: whole blocks, alike wide, two strips or more where there are two blocks.
 /// Each row of a strip lies on a page of its own, so that narrow ones are slower.
 [[nodiscard]] inline int columns_a_strip(int width) {
     constexpr int widest = 1024;

@@ -15,10 +15,10 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -11,13 +11,13 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/tetrahedron.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -13,9 +13,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 namespace detail {

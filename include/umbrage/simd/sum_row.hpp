@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/memory.hpp>

@@ -20,10 +20,10 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

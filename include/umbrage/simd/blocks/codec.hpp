@@ -20,8 +20,8 @@
 
 namespace umbrage::detail {
 
-/// saturate(), NaN to `highest` or, reversed, to 0. What is not taken for 0 is one range of bits, so that one comparison
-/// finds it: signed integers above -infinity's, negative NaNs among them; or unsigned ones up to infinity's.
+/// saturate(), NaN to `highest` or, reversed, to 0. What is not taken for 0 is one range of bits, which one comparison
+/// finds: signed integers above -infinity's, negative NaNs among them; or unsigned ones up to infinity's.
 template <depth_direction Direction>
 struct saturated {
     [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
@@ -88,7 +88,8 @@ struct rg_codec {
                 UMBRAGE_NO_OVERLAP
                 for (int i = 0; i < block; ++i) {
                     const auto x = static_cast<std::uint16_t>(saturate.code(depth[i], codes));
-                    const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
+                    const auto stored = static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up);
+                    const std::uint16_t word = in_memory(stored);
                     std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
                 }
             });

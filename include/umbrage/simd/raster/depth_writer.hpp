@@ -10,10 +10,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>

@@ -15,8 +15,8 @@
 #include <bit>
 #include <cstdint>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/raster/triangles.hpp>
 #include <umbrage/simd/strict_math.hpp>

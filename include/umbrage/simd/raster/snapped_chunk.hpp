@@ -16,10 +16,10 @@
 
 #include <glm/vec3.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/raster/projection.hpp>

@@ -21,11 +21,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
 #include <umbrage/simd/raster/clip.hpp>

@@ -18,8 +18,8 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/images/mesh.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/raster/projection.hpp>
