@@ -147,11 +147,11 @@ struct codec<float_bits> {
 
     template <class Use>
     UMBRAGE_INLINE void with_encode(const Use& use) const {
-        use([own = encoding](const float* depth, texel* texels) UMBRAGE_INLINE {
+        use([&](const float* depth, texel* texels) UMBRAGE_INLINE {
             if constexpr (std::endian::native == std::endian::little)
                 std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
             else
-                for (int i = 0; i < block; ++i) texels[i] = own.encode(depth[i]);
+                for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
         });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
