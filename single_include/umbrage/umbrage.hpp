@@ -10481,14 +10481,6 @@ template <bool Forward>
     else return std::int32_t(receiver <= stored);
 }
 
-/// saturate: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
-[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
-    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
-    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
-    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
-    return detail::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
-}
-
 /// floor; |v| < 2^31.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {
     const auto toward_zero = static_cast<std::int32_t>(v);
