@@ -17064,7 +17064,7 @@ struct tessellated_mesh {
     std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones; world
     std::vector<glm::uvec3> triangles;
 
-    template <class View = mesh_view>
+    template <class View = mesh_view>  // so that its spans are compiled where this is called
     [[nodiscard]] View view() const {
         return View{positions, triangles};
     }
@@ -19140,7 +19140,7 @@ template <class = umbrage::detail::on_use>
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
     const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
         std::string all = one_of(own, ordinary);
-        if (own.empty() && map.gather) all.insert(all.substr(0, all.find(',')).size(), sampler);
+        if (own.empty() && map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), sampler);
         return replace_words(all,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
     };

@@ -26,7 +26,7 @@ struct tessellated_mesh {
     std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones; world
     std::vector<glm::uvec3> triangles;
 
-    template <class View = mesh_view>
+    template <class View = mesh_view>  // so that its spans are compiled where this is called
     [[nodiscard]] View view() const {
         return View{positions, triangles};
     }

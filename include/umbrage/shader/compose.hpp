@@ -12,6 +12,7 @@
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/hooks.hpp>
 #include <umbrage/shader/translate/layout.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/version.hpp>
 
 namespace umbrage::glsl::detail {
@@ -152,7 +153,7 @@ template <class = umbrage::detail::on_use>
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
     const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
         std::string all = one_of(own, ordinary);
-        if (own.empty() && map.gather) all.insert(all.substr(0, all.find(',')).size(), sampler);
+        if (own.empty() && map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), sampler);
         return replace_words(all,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
     };
