@@ -18,9 +18,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
-#include <umbrage/simd/dispatch.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
 
 namespace umbrage {

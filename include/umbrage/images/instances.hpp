@@ -25,6 +25,7 @@
 #include <glm/vector_relational.hpp>
 
 #include <umbrage/clip_space.hpp>
+#include <umbrage/config.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/scalar.hpp>

@@ -17,6 +17,7 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/clip_space.hpp>
+#include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/simd/algorithm.hpp>

@@ -21,6 +21,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>

@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/clip_space.hpp>
+#include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 

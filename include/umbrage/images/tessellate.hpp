@@ -15,6 +15,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/scalar.hpp>

@@ -24,6 +24,7 @@
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/light_space.hpp>
 
 namespace umbrage {

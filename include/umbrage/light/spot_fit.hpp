@@ -12,6 +12,7 @@
 #include <numbers>
 #include <optional>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>

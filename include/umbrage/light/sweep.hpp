@@ -13,6 +13,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/simd/algorithm.hpp>

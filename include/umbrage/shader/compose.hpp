@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <umbrage/config.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/hooks.hpp>
 #include <umbrage/shader/translate/layout.hpp>

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/shader/compose.hpp>
 #include <umbrage/shader/translate/word_by_word.hpp>

@@ -19,6 +19,7 @@
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/compare.hpp>
+#include <umbrage/config.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/kinds.hpp>

@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/shader/compose.hpp>
 #include <umbrage/shader/translate/layout.hpp>

@@ -20,6 +20,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/scalar.hpp>

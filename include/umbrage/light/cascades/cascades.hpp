@@ -19,6 +19,7 @@
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/light_space.hpp>

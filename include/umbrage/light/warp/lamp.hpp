@@ -12,6 +12,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>

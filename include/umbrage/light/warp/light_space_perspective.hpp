@@ -21,6 +21,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 

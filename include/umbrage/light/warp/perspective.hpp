@@ -28,6 +28,7 @@
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/lamp.hpp>

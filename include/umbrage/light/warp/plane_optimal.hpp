@@ -19,6 +19,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>

@@ -12,6 +12,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/simd/blocks/form.hpp>
 #include <umbrage/simd/blocks/receivers.hpp>

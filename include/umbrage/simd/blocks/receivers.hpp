@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/images/receivers.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>

@@ -11,6 +11,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/simd/raster/projection.hpp>
 #include <umbrage/simd/strict_math.hpp>
 

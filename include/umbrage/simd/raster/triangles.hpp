@@ -18,6 +18,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/bits.hpp>
