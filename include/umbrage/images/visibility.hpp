@@ -41,9 +41,11 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
     const bool large = past_cache(out);
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr unsigned ring = 4;  // blocks on their way
+        constexpr bool in_tiles = requires { typename Blocks::tile; };
         typename Blocks::placed placed[ring];
-        alignas(64) float visibility[block];
-        block_walk ahead{0, first, out.size.x}, at = ahead;
+        typename tile_of<Blocks>::type tile;
+        alignas(64) float visibility[tile.rows][block];
+        block_walk ahead{0, first, out.size.x, tile.rows, last}, at = ahead;
         for (unsigned n = 0; at.y < last; ++n) {
             if (ahead.y < last) {
                 prefetch(receivers, ahead);
@@ -55,11 +57,19 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
                 ahead.step();
             }
             if (n + 1 < ring) continue;
-            blocks(placed[(n + 1) % ring], at.count(), visibility, set);
-            float* const to = out.row(at.y) + at.x;
-            if (large && at.x == 0) prefetch_rest(to, out.size.x);
-            if (large && at.count() == block) stream_block(to, visibility);
-            else copy_floats(to, visibility, at.count());
+            float* const to_tile = visibility[at.y - at.first];
+            if constexpr (in_tiles) blocks(placed[(n + 1) % ring], at.count(), to_tile, tile, set);
+            else blocks(placed[(n + 1) % ring], at.count(), to_tile, set);
+            if (at.ends_tile()) {
+                if constexpr (in_tiles) blocks.finish(tile, set);
+                for (int y = at.first; y <= at.y; ++y) {
+                    const float* const from = visibility[y - at.first];
+                    float* const to = out.row(y) + at.x;
+                    if (large && at.x == 0) prefetch_rest(to, out.size.x);
+                    if (large && at.count() == block) stream_block(to, from);
+                    else copy_floats(to, from, at.count());
+                }
+            }
             at.step();
         }
     });

@@ -16,6 +16,7 @@
 
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/simd/blocks/form.hpp>
+#include <umbrage/simd/blocks/map_tile.hpp>
 #include <umbrage/simd/blocks/receivers.hpp>
 #include <umbrage/simd/blocks/texels.hpp>
 #include <umbrage/simd/lanes.hpp>
@@ -86,28 +87,6 @@ private:
     }
 };
 
-/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their
-/// places in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
-struct map_tile {
-    static constexpr int columns = 100, rows = 96;
-    float texels[rows][columns];
-
-    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
-
-    /// @param last   texel of the map, within columns and rows of the first; at least eight columns
-    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
-        const int count = last.x - first.x + 1;
-        const auto eight = [](const float* from, float* to)
-                               UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
-        for (int y = first.y; y <= last.y; ++y) {
-            const float* from = texel_at(map, first.x, y);
-            float* to = texels[y - first.y];
-            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
-            eight(from + count - 8, to + count - 8);
-        }
-    }
-};
-
 /// A map of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
 template <depth_direction Direction>
 struct box_blocks {
@@ -126,12 +105,14 @@ struct box_blocks {
 
     /// Of the texels that a receiver there asks for, along an axis.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const { return floor_int(coord) - radius; }
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< of a box
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const { return side() + 7; }    ///< of a row, by registers of eight
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);
-        const int before = radius, width = 2 * radius + 1, last_x = map.size.x - width, last_y = map.size.y - width;
-        const int last_load = last_x - 7;  // where registers of eight lanes still end inside
+        const int before = radius, last_x = map.size.x - side(), last_y = map.size.y - side();
+        const int last_load = map.size.x - loaded();
         std::int32_t plain = -1;
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
@@ -148,7 +129,7 @@ struct box_blocks {
             plain &= at.inside[i] & at.compared[i] & -(loads_inside & number);
         }
         at.all_plain = plain;
-        prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : side());
     }
 
     template <class Isa>
@@ -160,7 +141,7 @@ struct box_blocks {
 private:
     template <int Lanes>
     UMBRAGE_INLINE void count_all(const placed& at, int count, float* visibility) const {
-        const int width = 2 * radius + 1;
+        const int width = side();
         if constexpr (Lanes == 8) {
             if (width == 3) return count_with<rows<8, 0, 3>>(at, count, visibility);
             if (width == 5) return count_with<rows<8, 0, 5>>(at, count, visibility);
@@ -177,7 +158,7 @@ private:
 
     template <class Boxes>
     UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
-        const int width = 2 * radius + 1, last_load = map.size.x - Boxes::reach;
+        const int width = side(), last_load = map.size.x - Boxes::reach;
         const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
         alignas(64) std::int32_t lit[block]{};
@@ -205,7 +186,7 @@ private:
                 of.count_two(starts, at.z + i, lit + i);
             }
         };
-        if (map_tile::helps(map.stride, 2 * radius + 1)) {
+        if (map_tile::helps(map.stride, side())) {
             glm::ivec2 first(at.x[0], at.y[0]), last = first;
             for (int i = 0; i < block; ++i) {
                 first.x = at.x[i] < first.x ? at.x[i] : first.x;
@@ -214,10 +195,10 @@ private:
                 last.y = at.y[i] > last.y ? at.y[i] : last.y;
             }
             last += glm::ivec2(Boxes::reach - 1, 2 * radius);
-            if (last.x - first.x < map_tile::columns && last.y - first.y < map_tile::rows) {
+            if (map_tile::holds(first, last)) {
                 map_tile tile;
                 tile.copy(map, first, last);
-                return count_all(Boxes(sizeof tile.texels[0], 2 * radius + 1), [&](int i) UMBRAGE_INLINE {
+                return count_all(Boxes(sizeof tile.texels[0], side()), [&](int i) UMBRAGE_INLINE {
                     return reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]);
                 });
             }

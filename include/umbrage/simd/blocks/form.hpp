@@ -15,6 +15,10 @@
 // the instruction set that the code is compiled for. Every function and lambda of it is UMBRAGE_INLINE: dispatch.hpp
 // says why.
 //
+// Blocks that leave work for later have a type `tile` with a number `rows`. They come tile by tile, so many above each
+// other; the second step gets the tile besides, and finish(tile, set) is called behind its last block, before results
+// are taken. hierarchical.hpp does so.
+//
 // unit/simd/blocks/form and form/coherent hold each form to its filter, bit by bit.
 //
 //     template <>
@@ -39,6 +43,20 @@ enum class map_need {
 
 template <class Filter>
 struct block_form;
+
+/// Of blocks that leave nothing for later: a row.
+struct one_row {
+    static constexpr int rows = 1;
+};
+template <class Blocks>
+struct tile_of {
+    using type = one_row;
+};
+template <class Blocks>
+requires requires { typename Blocks::tile; }
+struct tile_of<Blocks> {
+    using type = typename Blocks::tile;
+};
 
 template <class Filter>
 concept has_block_form = requires {

@@ -50,16 +50,18 @@ struct receiver_block {
     }
 };
 
-/// A walk over the blocks of some rows.
+/// A walk over the blocks of some rows: tile by tile, each of so many rows, from the first up to `last`.
 struct block_walk {
     int x, y, width;
+    int rows = 1, last = 0;  ///< which one row of blocks after the other need not know
+    int first = y;           ///< of the tile
 
     [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
+    [[nodiscard]] UMBRAGE_INLINE bool ends_tile() const { return y + 1 == first + rows || y + 1 == last; }
     UMBRAGE_INLINE void step() {
-        x += block;
-        if (x < width) return;
-        x = 0;
-        ++y;
+        if (!ends_tile()) ++y;
+        else if (x += block; x < width) y = first;
+        else x = 0, first = ++y;
     }
 };
 
@@ -114,10 +116,11 @@ UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const bloc
     use(r);
 }
 
-/// Starts to fetch the receivers some blocks ahead. Hardware prefetching stops at the end of a page.
+/// Starts to fetch the receivers some blocks ahead, or of the next tile: hardware prefetching stops at the end of a
+/// page.
 template <class T>
 UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
-    constexpr int bytes = block * static_cast<int>(sizeof(T)), blocks = 4;
+    const int bytes = block * static_cast<int>(sizeof(T)), blocks = at.rows == 1 ? 4 : 1;
     prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
 }
 UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {

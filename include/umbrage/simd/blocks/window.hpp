@@ -39,7 +39,8 @@ struct window_blocks {
     const window_row& row;
     const window_table& weights;
 
-    [[nodiscard]] UMBRAGE_INLINE int loaded() const {  ///< of a row of texels
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< of a window
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const {                        ///< of a row of texels
         return row.touched() > 8 ? 16 : (row.touched() > 4 ? 8 : 4);
     }
 
