@@ -39,8 +39,7 @@ struct openmp {
     int threads;
     template <class Piece>
     void operator()(int count, Piece&& piece) const {
-        constexpr int rows = 16;
-        const int pieces = (count + rows - 1) / rows;
+        const int rows = std::max(1, count / (8 * threads)), pieces = (count + rows - 1) / rows;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
         for (int i = 0; i < pieces; ++i) piece(i * rows, i + 1 < pieces ? (i + 1) * rows : count);
     }
