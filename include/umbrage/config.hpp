@@ -7,6 +7,7 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -52,6 +53,15 @@ template <class To, class From>
     return std::bit_cast<To>(from);
 #else
     return __builtin_bit_cast(To, from);
+#endif
+}
+
+/// How long a text is, in one step where a constant is made of it.
+[[nodiscard]] constexpr std::size_t length(const char* text) {
+#if defined(__GNUC__) || defined(__clang__)
+    return __builtin_strlen(text);
+#else
+    return std::char_traits<char>::length(text);
 #endif
 }
 

@@ -80,6 +80,7 @@
 #include <umbrage/light/tetrahedron_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/list.hpp>
+#include <umbrage/literal.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/unorm.hpp>

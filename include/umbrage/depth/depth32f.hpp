@@ -14,8 +14,8 @@ namespace umbrage {
 /// Clamped to [0, 1] on the way in; on the way out the texel is the depth.
 struct depth32f {
     using texel = float;
-    static constexpr std::string_view name = "depth32f";
-    static constexpr std::string_view summary = "A float texture: nothing to encode.";
+    static constexpr literal name = "depth32f";
+    static constexpr literal summary = "A float texture: nothing to encode.";
     static constexpr const glsl::snippet* writer = &glsl::saturate;
     static constexpr const glsl::snippet* reader = nullptr;
     static constexpr written writes = written::depth;

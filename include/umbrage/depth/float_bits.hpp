@@ -85,8 +85,8 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 /// The encoding as a value.
 struct float_bits {
     using texel = glm::u8vec4;
-    static constexpr std::string_view name = "float_bits";
-    static constexpr std::string_view summary = "The bit pattern of the float itself, R least significant.";
+    static constexpr literal name = "float_bits";
+    static constexpr literal summary = "The bit pattern of the float itself, R least significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
     static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
     static constexpr written writes = written::bytes;

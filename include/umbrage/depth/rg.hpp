@@ -110,8 +110,8 @@ template <int Bits>
 struct rg {
     using texel = glm::u8vec2;
     static constexpr glsl::detail::short_name name_text{"rg$b", {{'b', Bits}}};
-    static constexpr std::string_view name = name_text.view();
-    static constexpr std::string_view summary = "Two channels: R the low byte, G the rest in its high bits.";
+    static constexpr literal name = name_text.view();
+    static constexpr literal summary = "Two channels: R the low byte, G the rest in its high bits.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
     static constexpr const glsl::snippet* reader = &glsl::decode_rg<Bits>;
     static constexpr written writes = written::bytes;

@@ -86,8 +86,8 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 /// The encoding as a value.
 struct rgb24 {
     using texel = glm::u8vec3;
-    static constexpr std::string_view name = "rgb24";
-    static constexpr std::string_view summary = "Three channels, R most significant.";
+    static constexpr literal name = "rgb24";
+    static constexpr literal summary = "Three channels, R most significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rgb24;
     static constexpr const glsl::snippet* reader = &glsl::decode_rgb24;
     static constexpr written writes = written::bytes;

@@ -21,26 +21,26 @@ namespace umbrage::glsl::detail {
 /// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
 /// 0 to 1.
 struct texture_words {
-    std::string_view parameters, arguments;
-    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
-    std::string_view sampled{};                      ///< vec4 at `uv`
-    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
-    std::string_view gather_red{}, gather_green{};   ///< vec4
-    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
-    std::string_view size{};                         ///< of the texture: vec2
-    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
-    snippet_span needs{};                            ///< what these words call
+    literal parameters, arguments;
+    literal texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    literal sampled{};                      ///< vec4 at `uv`
+    literal lit{};                          ///< the sampler's comparison with `receiver`: float
+    literal gather_red{}, gather_green{};   ///< vec4
+    literal gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    literal lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
+    literal size{};                         ///< of the texture: vec2
+    literal sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    snippet_span needs{};                   ///< what these words call
 };
 
 /// What there is to know of a language.
 struct language {
-    std::string_view prelude;  ///< what every text begins with
+    literal prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
-    std::string_view scaled_macro{};             ///< for those of depths on a scale of their own
+    literal scaled_macro{};                      ///< for those of depths on a scale of their own
 };
 
 /// The text with each word replaced by replacement(word, in_comment).

@@ -19,7 +19,7 @@
 namespace umbrage::glsl {
 
 /// Macros that every text relies on; each can be defined beforehand to something else.
-inline constexpr std::string_view prelude = R"GLSL(
+inline constexpr literal prelude = R"GLSL(
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
 #define UMBRAGE_HIGHP highp
@@ -38,7 +38,7 @@ inline constexpr std::string_view prelude = R"GLSL(
 
 namespace detail {
 
-inline constexpr std::string_view scaled_macro = R"GLSL(
+inline constexpr literal scaled_macro = R"GLSL(
 // depths here are on a scale of their own, on which 1.0 is not the far plane
 #ifndef UMBRAGE_BEYOND_FAR
 #define UMBRAGE_BEYOND_FAR(receiver) false

@@ -21,7 +21,7 @@ namespace umbrage::msl {
 
 /// What every text begins with. Metal computes with fast mathematics unless it is told not to; from here to the end of
 /// the file it is told.
-inline constexpr std::string_view prelude =
+inline constexpr literal prelude =
     "\n#include <metal_stdlib>\n"  // no line of its own, which the single header would take for C++'s
     "#pragma METAL fp math_mode(safe)\n"
     "#pragma METAL fp contract(off)\n";

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include <umbrage/config.hpp>
+#include <umbrage/literal.hpp>
 
 namespace umbrage::glsl {
 
@@ -101,8 +101,8 @@ private:
 
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
-    std::string_view name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
-    std::string_view summary{};  ///< one line
+    literal name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
+    literal summary{};  ///< one line
     tier exactness = tier::a;
     int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
     float within = 0.0f;             ///< tier c without ulp: greatest difference from the C++ twin

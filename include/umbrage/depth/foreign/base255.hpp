@@ -119,8 +119,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 /// The format as a value, faults and all; the store rounds. An empty map is cleared to what decodes to 1.
 struct base255 {
     using texel = glm::u8vec4;
-    static constexpr std::string_view name = "base255";
-    static constexpr std::string_view summary =
+    static constexpr literal name = "base255";
+    static constexpr literal summary =
         "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
     static constexpr const glsl::snippet* writer = &glsl::write_base255;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
@@ -145,8 +145,8 @@ struct base255 {
 /// The same, written without the faults.
 struct base255_repaired {
     using texel = glm::u8vec4;
-    static constexpr std::string_view name = "base255_repaired";
-    static constexpr std::string_view summary = "For readers of base 255, written without the fault.";
+    static constexpr literal name = "base255_repaired";
+    static constexpr literal summary = "For readers of base 255, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_base255_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
     static constexpr written writes = written::bytes;

@@ -190,8 +190,8 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
 /// RGBA, r167 and later.
 struct threejs_rgba {
     using texel = glm::u8vec4;
-    static constexpr std::string_view name = "threejs_rgba";
-    static constexpr std::string_view summary = "RGBA of three.js since r167: three whole bytes and the rest.";
+    static constexpr literal name = "threejs_rgba";
+    static constexpr literal summary = "RGBA of three.js since r167: three whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
     static constexpr written writes = written::values;
@@ -213,8 +213,8 @@ struct threejs_rgba {
 /// RGB, r167 and later.
 struct threejs_rgb {
     using texel = glm::u8vec3;
-    static constexpr std::string_view name = "threejs_rgb";
-    static constexpr std::string_view summary = "RGB of three.js since r167: two whole bytes and the rest.";
+    static constexpr literal name = "threejs_rgb";
+    static constexpr literal summary = "RGB of three.js since r167: two whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
     static constexpr written writes = written::values;
@@ -236,8 +236,8 @@ struct threejs_rgb {
 /// RG, r167 and later.
 struct threejs_rg {
     using texel = glm::u8vec2;
-    static constexpr std::string_view name = "threejs_rg";
-    static constexpr std::string_view summary = "RG of three.js since r167: one whole byte and the rest.";
+    static constexpr literal name = "threejs_rg";
+    static constexpr literal summary = "RG of three.js since r167: one whole byte and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
     static constexpr written writes = written::values;

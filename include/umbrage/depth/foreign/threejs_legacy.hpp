@@ -118,9 +118,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
 /// RGBA, r73 to r166, fault and all: 1 decodes to 255/256. An empty map is cleared to what decodes to 1.
 struct threejs_legacy {
     using texel = glm::u8vec4;
-    static constexpr std::string_view name = "threejs_legacy";
-    static constexpr std::string_view summary =
-        "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
+    static constexpr literal name = "threejs_legacy";
+    static constexpr literal summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
     static constexpr written writes = written::values;
@@ -141,8 +140,8 @@ struct threejs_legacy {
 /// RGBA for readers of r73 to r166, written without the fault.
 struct threejs_legacy_repaired {
     using texel = glm::u8vec4;
-    static constexpr std::string_view name = "threejs_legacy_repaired";
-    static constexpr std::string_view summary = "For readers of three.js r73 to r166, written without the fault.";
+    static constexpr literal name = "threejs_legacy_repaired";
+    static constexpr literal summary = "For readers of three.js r73 to r166, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_threejs_legacy_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
     static constexpr written writes = written::bytes;

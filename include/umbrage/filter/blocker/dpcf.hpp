@@ -10,7 +10,6 @@
 
 #include <array>
 #include <string>
-#include <string_view>
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -126,7 +125,7 @@ struct dpcf {
     int points = 16;  ///< 8, 16 or 32
     light_softness softness{};
     comparison is_lit{};
-    std::string_view name = "dpcf16";
+    literal name = "dpcf16";
     const glsl::snippet* snippet = &glsl::dpcf<16>;
 
     static const std::array<dpcf, 3> values;

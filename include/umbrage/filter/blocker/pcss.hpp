@@ -13,7 +13,6 @@
 
 #include <array>
 #include <string>
-#include <string_view>
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -94,7 +93,7 @@ struct pcss {
     int points = 16;  ///< 8, 16 or 32
     light_softness softness{};
     comparison is_lit{};
-    std::string_view name = "pcss16";
+    literal name = "pcss16";
     const glsl::snippet* snippet = &glsl::pcss<16>;
 
     static const std::array<pcss, 3> values;

@@ -136,7 +136,7 @@ namespace filters {
 
 /// The filter as a value.
 struct box {
-    static constexpr std::string_view name = "box";
+    static constexpr literal name = "box";
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< clamped to 0..8
@@ -154,7 +154,7 @@ struct box {
 /// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
 /// Pays off for large radii, and where shadows have more inside than border.
 struct hierarchical_box {
-    static constexpr std::string_view name = "hierarchical_box";
+    static constexpr literal name = "hierarchical_box";
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< clamped to 0..8

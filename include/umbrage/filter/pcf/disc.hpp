@@ -11,7 +11,6 @@
 
 #include <array>
 #include <string>
-#include <string_view>
 
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/texel_space.hpp>
@@ -246,7 +245,7 @@ struct rotated_disc {
     int points = 16;  ///< 8, 16 or 32
     float radius_texels = 2.0f;
     comparison is_lit{};
-    std::string_view name = "disc16";
+    literal name = "disc16";
     const glsl::snippet* snippet = &glsl::disc<16>;
 
     static const std::array<rotated_disc, 3> values;

@@ -61,7 +61,7 @@ namespace glsl {
 namespace detail {
 
 /// What every text over a disc's points in uv begins with, from its head's closing brace on.
-inline constexpr std::string_view disc_in_uv = R"GLSL(
+inline constexpr const char* disc_in_uv = R"GLSL(
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));

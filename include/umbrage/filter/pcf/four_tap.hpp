@@ -69,7 +69,7 @@ namespace filters {
 
 /// The filter as a value.
 struct four_tap {
-    static constexpr std::string_view name = "four_tap";
+    static constexpr literal name = "four_tap";
     static constexpr const glsl::snippet* snippet = &glsl::four_tap;
 
     std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels

@@ -53,7 +53,7 @@ namespace filters {
 
 /// The filter as a value.
 struct hard {
-    static constexpr std::string_view name = "hard";
+    static constexpr literal name = "hard";
     static constexpr const glsl::snippet* snippet = &glsl::hard;
 
     comparison is_lit{};

@@ -5,13 +5,13 @@
 //
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <umbrage/config.hpp>
+#include <umbrage/literal.hpp>
 
 namespace umbrage::glsl::detail {
 
@@ -30,11 +30,11 @@ struct token {
 
 /// The longest sign that `text` begins with; empty where it begins with none.
 [[nodiscard]] inline std::string_view sign_at(std::string_view text) {
-    static constexpr std::array<std::string_view, 16> two{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
-                                                          "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
+    static constexpr literal two[]{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
+                                   "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
     for (std::string_view sign : two)
         if (text.starts_with(sign)) return text.substr(0, 2);
-    static constexpr std::string_view one = "+-*/%<>=!&|^~?:;,.()[]{}";
+    static constexpr literal one = "+-*/%<>=!&|^~?:;,.()[]{}";
     return one.find(text.front()) == one.npos ? std::string_view() : text.substr(0, 1);
 }
 

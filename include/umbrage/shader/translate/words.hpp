@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <umbrage/config.hpp>
+#include <umbrage/literal.hpp>
 
 namespace umbrage::glsl::detail {
 
@@ -16,7 +17,7 @@ enum class word_kind { type, function, keyword };
 
 struct word {
     word_kind kind;
-    std::string_view glsl, hlsl, msl, wgsl;
+    literal glsl, hlsl, msl, wgsl;
 };
 
 // clang-format off
