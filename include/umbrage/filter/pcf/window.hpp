@@ -146,6 +146,7 @@ constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : 
 
 [[nodiscard]] inline std::string window_sum_text(int size) {
     const int middle = size / 2;
+    const char *const quads[] = {"a", "b", "c", "d"}, *const lanes[] = {"x", "y", "z", "w"};
     std::string text = filled(R"GLSL(
 // umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -177,12 +178,11 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     for (int j = 0; j <= size; j += 2) {
         for (int i = 0; i <= size; i += 2)
             append(text, "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
-                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, {&"abcd"[i / 2], 1}}, {'i', i}, {'j', j}});
+                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, quads[i / 2]}, {'i', i}, {'j', j}});
         for (int row : {0, 1}) {
-            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, {&"xz"[row], 1}}});
+            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, lanes[2 * row]}});
             for (int i = 1; i <= size; ++i)
-                append(text, " + w$i.x * $a.$c",
-                       {{'i', i}, {'a', 0, {&"abcd"[i / 2], 1}}, {'c', 0, {&"xyzw"[2 * row + i % 2], 1}}});
+                append(text, " + w$i.x * $a.$c", {{'i', i}, {'a', 0, quads[i / 2]}, {'c', 0, lanes[2 * row + i % 2]}});
             text += ");\n";
         }
     }
