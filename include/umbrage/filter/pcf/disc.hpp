@@ -26,34 +26,32 @@ struct disc_point {
 
 /// A disc's points, in 1/16 of its radius.
 template <int Points>
-inline constexpr std::array<disc_point, Points> disc_points = [] {
-    static_assert(Points == 8 || Points == 16 || Points == 32);
-    if constexpr (Points == 8)
-        return std::array<disc_point, 8>{{{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
-    else if constexpr (Points == 16)
-        return std::array<disc_point, 16>{{{1, -3},
-                                           {5, 2},
-                                           {-5, 2},
-                                           {0, 7},
-                                           {-6, -5},
-                                           {8, -5},
-                                           {0, -11},
-                                           {11, 5},
-                                           {-12, 4},
-                                           {-1, 13},
-                                           {7, 11},
-                                           {-9, 10},
-                                           {-13, -4},
-                                           {7, -12},
-                                           {-7, -12},
-                                           {14, -2}}};
-    else
-        return std::array<disc_point, 32>{{{-2, -1},  {3, 2},   {1, -4},   {-4, 3},  {0, 6},   {-5, -5},  {7, -2},
-                                           {-8, -1},  {8, 3},   {5, 7},    {1, -9},  {6, -7},  {-8, 5},   {0, 10},
-                                           {-3, -10}, {-6, 10}, {-9, -8},  {11, -5}, {5, -12}, {-13, -1}, {7, 11},
-                                           {13, 3},   {-13, 4}, {10, -10}, {14, -2}, {-11, 9}, {3, 14},   {-13, -6},
-                                           {12, 8},   {-4, 14}, {-7, -13}, {0, -15}}};
-}();
+requires(Points == 8 || Points == 16 || Points == 32) inline constexpr std::array<disc_point, Points> disc_points{};
+template <>
+inline constexpr std::array<disc_point, 8> disc_points<8>{
+    {{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
+template <>
+inline constexpr std::array<disc_point, 16> disc_points<16>{{{1, -3},
+                                                             {5, 2},
+                                                             {-5, 2},
+                                                             {0, 7},
+                                                             {-6, -5},
+                                                             {8, -5},
+                                                             {0, -11},
+                                                             {11, 5},
+                                                             {-12, 4},
+                                                             {-1, 13},
+                                                             {7, 11},
+                                                             {-9, 10},
+                                                             {-13, -4},
+                                                             {7, -12},
+                                                             {-7, -12},
+                                                             {14, -2}}};
+template <>
+inline constexpr std::array<disc_point, 32> disc_points<32>{
+    {{-2, -1}, {3, 2},    {1, -4},  {-4, 3},   {0, 6},   {-5, -5},  {7, -2},  {-8, -1}, {8, 3},    {5, 7},  {1, -9},
+     {6, -7},  {-8, 5},   {0, 10},  {-3, -10}, {-6, 10}, {-9, -8},  {11, -5}, {5, -12}, {-13, -1}, {7, 11}, {13, 3},
+     {-13, 4}, {10, -10}, {14, -2}, {-11, 9},  {3, 14},  {-13, -6}, {12, 8},  {-4, 14}, {-7, -13}, {0, -15}}};
 
 namespace detail {
 

@@ -71,11 +71,12 @@ inline constexpr const char* disc_in_uv = R"GLSL(
 
 /// `text` with the point's place in uv: centre + x $x + y $y.
 inline void append_point(std::string& text, disc_point p, std::string_view before, std::string_view after) {
-    const auto sign = [](int v) { return v < 0 ? std::string_view("-") : std::string_view("+"); };
-    const auto size = [](int v) { return v < 0 ? -v : v; };
     text += before;
     append(text, "centre $s x * $x.0 $t y * $y.0",
-           {{'s', 0, sign(p.x)}, {'x', size(p.x)}, {'t', 0, sign(p.y)}, {'y', size(p.y)}});
+           {{'s', 0, p.x < 0 ? "-" : "+"},
+            {'x', p.x < 0 ? -p.x : p.x},
+            {'t', 0, p.y < 0 ? "-" : "+"},
+            {'y', p.y < 0 ? -p.y : p.y}});
     text += after;
 }
 
