@@ -67,7 +67,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 )GLSL",
 };
 
-inline constexpr auto clip_space_snippets = list<&cleared_depth>;
+inline constexpr const snippet* clip_space_snippets[]{&cleared_depth};
 
 }  // namespace glsl
 }  // namespace umbrage

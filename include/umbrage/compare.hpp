@@ -212,7 +212,8 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto compare_snippets = list<&beyond_far, &before_far, &compare, &compare_dx_sdk, &compare_exercise>;
+inline constexpr const snippet* compare_snippets[]{&beyond_far, &before_far, &compare, &compare_dx_sdk,
+                                                   &compare_exercise};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -63,7 +63,7 @@ UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP fl
 )GLSL",
 };
 
-inline constexpr auto floor_divide_snippets = list<&mend_quotient, &floor_divide>;
+inline constexpr const snippet* floor_divide_snippets[]{&mend_quotient, &floor_divide};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -280,7 +280,7 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 )GLSL",
 };
 
-inline constexpr auto image_snippets = list<&texel, &inside_map, &fetch_clamped, &fetch_bordered>;
+inline constexpr const snippet* image_snippets[]{&texel, &inside_map, &fetch_clamped, &fetch_bordered};
 
 }  // namespace glsl
 }  // namespace umbrage

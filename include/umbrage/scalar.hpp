@@ -82,7 +82,7 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
 )GLSL",
 };
 
-inline constexpr auto scalar_snippets = list<&saturate>;
+inline constexpr const snippet* scalar_snippets[]{&saturate};
 
 }  // namespace glsl
 }  // namespace umbrage

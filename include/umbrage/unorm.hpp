@@ -122,7 +122,7 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 )GLSL",
 };
 
-inline constexpr auto unorm_snippets = list<&to_unorm, &from_unorm>;
+inline constexpr const snippet* unorm_snippets[]{&to_unorm, &from_unorm};
 
 }  // namespace glsl
 }  // namespace umbrage

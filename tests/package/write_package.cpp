@@ -40,10 +40,7 @@ std::string filled(const fs::path& path, std::initializer_list<std::pair<std::st
     return text;
 }
 
-bool is_variant(const snippet& s) {
-    return std::any_of(glsl::hooks::all.begin(), glsl::hooks::all.end(),
-                       [&](const snippet* hook) { return hook == &s; });
-}
+bool is_variant(const snippet& s) { return std::ranges::find(glsl::hooks::all, &s) != std::end(glsl::hooks::all); }
 
 /// What the module calls a snippet: its name, or of a hook's variant which one it is.
 std::string id(const snippet& s) { return is_variant(s) ? "hooks/" + std::string(s.summary) : std::string(s.name); }

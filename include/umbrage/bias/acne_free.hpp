@@ -146,7 +146,7 @@ UMBRAGE_HIGHP float umbrage_detachment(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP v
 )GLSL",
 };
 
-inline constexpr auto acne_free_snippets = list<&acne_free_bias, &acne_free_disc_bias, &detachment>;
+inline constexpr const snippet* acne_free_snippets[]{&acne_free_bias, &acne_free_disc_bias, &detachment};
 
 }  // namespace glsl
 }  // namespace umbrage

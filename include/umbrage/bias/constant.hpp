@@ -65,7 +65,7 @@ UMBRAGE_HIGHP float umbrage_biased(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr auto constant_snippets = list<&clamp_bias, &biased>;
+inline constexpr const snippet* constant_snippets[]{&clamp_bias, &biased};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -69,7 +69,7 @@ UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP
 )GLSL",
 };
 
-inline constexpr auto kernel_snippets = list<&kernel_bias>;
+inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -147,7 +147,7 @@ UMBRAGE_HIGHP float umbrage_world_to_depth(UMBRAGE_HIGHP float world, UMBRAGE_HI
 )GLSL",
 };
 
-inline constexpr auto light_units_snippets = list<&texels_to_world, &world_to_depth>;
+inline constexpr const snippet* light_units_snippets[]{&texels_to_world, &world_to_depth};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -82,7 +82,7 @@ UMBRAGE_HIGHP vec3 umbrage_normal_offset(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGH
 )GLSL",
 };
 
-inline constexpr auto normal_offset_snippets = list<&normal_offset>;
+inline constexpr const snippet* normal_offset_snippets[]{&normal_offset};
 
 }  // namespace glsl
 }  // namespace umbrage

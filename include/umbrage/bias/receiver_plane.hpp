@@ -124,7 +124,7 @@ UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto receiver_plane_snippets = list<&receiver_plane, &on_receiver_plane>;
+inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane, &on_receiver_plane};
 
 }  // namespace glsl
 }  // namespace umbrage

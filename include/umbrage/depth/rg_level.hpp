@@ -87,7 +87,7 @@ inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
 
 /// Of the members named: texts are filled in where they are asked for.
 template <int... Bits>
-inline constexpr auto rg_level_snippets = list<&level_rg<Bits>..., &receiver_rg<Bits>...>;
+inline constexpr const snippet* rg_level_snippets[]{&level_rg<Bits>..., &receiver_rg<Bits>...};
 
 }  // namespace glsl
 }  // namespace umbrage

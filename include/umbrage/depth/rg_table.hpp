@@ -81,7 +81,7 @@ inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view
 
 /// Of the members named: texts are filled in where they are asked for.
 template <int... Bits>
-inline constexpr auto rg_table_snippets = list<&encode_rg_table<Bits>...>;
+inline constexpr const snippet* rg_table_snippets[]{&encode_rg_table<Bits>...};
 
 }  // namespace glsl
 }  // namespace umbrage

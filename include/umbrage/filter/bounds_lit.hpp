@@ -56,7 +56,7 @@ UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 si
 )GLSL",
 };
 
-inline constexpr auto bounds_lit_snippets = list<&bounds_lit>;
+inline constexpr const snippet* bounds_lit_snippets[]{&bounds_lit};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -193,8 +193,8 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL",
 };
 
-inline constexpr auto texel_space_snippets =
-    list<&fetch_depth, &depth_at, &inside_texel_space, &is_compared, &lit, &lit_2x2>;
+inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, &inside_texel_space,
+                                                       &is_compared, &lit,      &lit_2x2};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -67,7 +67,7 @@ UMBRAGE_HIGHP vec3 umbrage_cube_atlas_direction(UMBRAGE_HIGHP vec2 texel, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto cube_atlas_snippets = list<&cube_atlas_texel, &cube_atlas_direction>;
+inline constexpr const snippet* cube_atlas_snippets[]{&cube_atlas_texel, &cube_atlas_direction};
 
 }  // namespace glsl
 }  // namespace umbrage

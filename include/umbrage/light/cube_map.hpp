@@ -257,8 +257,8 @@ UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP flo
 )GLSL",
 };
 
-inline constexpr auto cube_map_snippets = list<&cube_face, &cube_view_z, &cube_plane, &cube_point, &cube_coordinate,
-                                               &cube_direction, &cube_neighbour, &cube_tile>;
+inline constexpr const snippet* cube_map_snippets[]{&cube_face,       &cube_view_z,    &cube_plane,     &cube_point,
+                                                    &cube_coordinate, &cube_direction, &cube_neighbour, &cube_tile};
 
 }  // namespace glsl
 }  // namespace umbrage

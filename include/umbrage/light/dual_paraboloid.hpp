@@ -147,7 +147,7 @@ UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction
 )GLSL",
 };
 
-inline constexpr auto dual_paraboloid_snippets = list<&dual_paraboloid_coordinate, &dual_paraboloid_position>;
+inline constexpr const snippet* dual_paraboloid_snippets[]{&dual_paraboloid_coordinate, &dual_paraboloid_position};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -51,7 +51,7 @@ UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr auto pancake_snippets = list<&pancaked>;
+inline constexpr const snippet* pancake_snippets[]{&pancaked};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -201,8 +201,9 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face_of(UMBRAGE_HIGHP vec2 texel, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto tetrahedron_snippets = list<&tetrahedron_face, &tetrahedron_plane, &tetrahedron_view_z,
-                                                  &tetrahedron_coordinate, &tetrahedron_texel, &tetrahedron_face_of>;
+inline constexpr const snippet* tetrahedron_snippets[]{&tetrahedron_face,   &tetrahedron_plane,
+                                                       &tetrahedron_view_z, &tetrahedron_coordinate,
+                                                       &tetrahedron_texel,  &tetrahedron_face_of};
 
 }  // namespace glsl
 }  // namespace umbrage

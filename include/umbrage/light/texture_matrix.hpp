@@ -167,7 +167,7 @@ UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
 )GLSL",
 };
 
-inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_coordinate, &project_coordinate>;
+inline constexpr const snippet* texture_matrix_snippets[]{&shadow_coordinate, &tap_coordinate, &project_coordinate};
 
 }  // namespace glsl
 }  // namespace umbrage

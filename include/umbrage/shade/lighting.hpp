@@ -84,7 +84,7 @@ UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HI
 )GLSL",
 };
 
-inline constexpr auto lighting_snippets = list<&spot_cone, &diffuse_ambient>;
+inline constexpr const snippet* lighting_snippets[]{&spot_cone, &diffuse_ambient};
 
 }  // namespace glsl
 }  // namespace umbrage

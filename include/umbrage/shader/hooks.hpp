@@ -71,7 +71,7 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL"};
 
 /// Every one of them, for printers and packages.
-inline constexpr auto all =
+inline constexpr const auto& all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
          &forward_before_far, &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode,
          &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,

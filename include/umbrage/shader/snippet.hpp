@@ -69,14 +69,14 @@ enum class hook {
 
 struct snippet;
 
-/// Snippets that lie in a list<>; a span, but for what it costs to compile.
+/// Snippets in a row: a list<>, a header's. A span, but for what it costs to compile.
 struct snippet_span {
     const snippet* const* first = nullptr;
     std::size_t size = 0;
 
     constexpr snippet_span() = default;
     template <std::size_t Size>
-    constexpr snippet_span(const std::array<const snippet*, Size>& snippets) : first(snippets.data()), size(Size) {}
+    constexpr snippet_span(const snippet* const (&snippets)[Size]) : first(snippets), size(Size) {}
     [[nodiscard]] constexpr const snippet* const* begin() const { return first; }
     [[nodiscard]] constexpr const snippet* const* end() const { return first + size; }
 };
@@ -116,9 +116,9 @@ struct snippet {
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
 
-/// Snippets in a row: those that one needs, a header's, a room's.
+/// Those that one needs.
 template <const snippet*... Snippets>
-inline constexpr std::array<const snippet*, sizeof...(Snippets)> list{Snippets...};
+inline constexpr const snippet* list[sizeof...(Snippets)]{Snippets...};
 
 /// True when `s` compiles in dialect `v`.
 [[nodiscard]] constexpr bool supports(const snippet& s, version v) {

@@ -44,7 +44,7 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
 )GLSL",
 };
 
-inline constexpr auto false_colour_snippets = list<&false_colour>;
+inline constexpr const snippet* false_colour_snippets[]{&false_colour};
 
 }  // namespace glsl
 }  // namespace umbrage

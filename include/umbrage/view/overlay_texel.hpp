@@ -50,7 +50,7 @@ UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIG
 )GLSL",
 };
 
-inline constexpr auto overlay_texel_snippets = list<&overlay_texel>;
+inline constexpr const snippet* overlay_texel_snippets[]{&overlay_texel};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -62,7 +62,7 @@ UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
 )GLSL",
 };
 
-inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
+inline constexpr const snippet* ps14_snippets[]{&decode_ps14, &receiver_ps14};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -114,7 +114,8 @@ inline constexpr snippet dpcf{
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened<Points>>,
     .source = {detail::dpcf_text, Points}};
 
-inline constexpr auto dpcf_snippets = list<&hardened<8>, &hardened<16>, &hardened<32>, &dpcf<8>, &dpcf<16>, &dpcf<32>>;
+inline constexpr const snippet* dpcf_snippets[]{&hardened<8>, &hardened<16>, &hardened<32>,
+                                                &dpcf<8>,     &dpcf<16>,     &dpcf<32>};
 
 }  // namespace glsl
 

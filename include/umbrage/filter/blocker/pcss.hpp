@@ -82,7 +82,7 @@ inline constexpr snippet pcss{
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
     .source = {detail::pcss_text, Points}};
 
-inline constexpr auto pcss_snippets = list<&pcss<8>, &pcss<16>, &pcss<32>>;
+inline constexpr const snippet* pcss_snippets[]{&pcss<8>, &pcss<16>, &pcss<32>};
 
 }  // namespace glsl
 

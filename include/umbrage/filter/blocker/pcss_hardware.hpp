@@ -168,8 +168,8 @@ inline constexpr snippet blockers_hardware{
     .needs = list<&is_compared, &blocker_at>,
     .source = {detail::blockers_hardware_text, Points}};
 
-inline constexpr auto pcss_hardware_snippets =
-    list<&blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
+inline constexpr const snippet* pcss_hardware_snippets[]{&blocker_at, &pcss_radius, &blockers_hardware<8>,
+                                                         &blockers_hardware<16>, &blockers_hardware<32>};
 
 }  // namespace glsl
 }  // namespace umbrage

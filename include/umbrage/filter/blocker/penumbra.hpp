@@ -197,8 +197,8 @@ inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points ==
                                   .needs = list<&disc_tap, &blocker>,
                                   .source = {detail::blockers_text, Points}};
 
-inline constexpr auto penumbra_snippets =
-    list<&distance_code, &penumbra, &blocker, &blockers<8>, &blockers<16>, &blockers<32>>;
+inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,     &blocker,
+                                                    &blockers<8>,   &blockers<16>, &blockers<32>};
 
 }  // namespace glsl
 }  // namespace umbrage

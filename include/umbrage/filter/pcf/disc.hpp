@@ -232,7 +232,7 @@ inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "d
                               .needs = list<&is_compared, &disc_radius, &disc_tap, &lit>,
                               .source = {detail::disc_text, Points}};
 
-inline constexpr auto disc_snippets = list<&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>>;
+inline constexpr const snippet* disc_snippets[]{&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>};
 
 }  // namespace glsl
 

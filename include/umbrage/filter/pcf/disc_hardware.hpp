@@ -10,7 +10,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
@@ -70,7 +69,7 @@ inline constexpr const char* disc_in_uv = R"GLSL(
 )GLSL";
 
 /// `text` with the point's place in uv: centre + x $x + y $y.
-inline void append_point(std::string& text, disc_point p, std::string_view before, std::string_view after) {
+inline void append_point(std::string& text, disc_point p, const char* before, const char* after) {
     text += before;
     append(text, "centre $s x * $x.0 $t y * $y.0",
            {{'s', 0, p.x < 0 ? "-" : "+"},
@@ -114,7 +113,8 @@ inline constexpr snippet disc_hardware{
     .needs = list<&is_compared, &before_far, &lit_at>,
     .source = {detail::disc_hardware_text, Points}};
 
-inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;
+inline constexpr const snippet* disc_hardware_snippets[]{&lit_at, &disc_hardware<8>, &disc_hardware<16>,
+                                                         &disc_hardware<32>};
 
 }  // namespace glsl
 }  // namespace umbrage

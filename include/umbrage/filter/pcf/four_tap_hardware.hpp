@@ -59,7 +59,7 @@ UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
 )GLSL",
 };
 
-inline constexpr auto four_tap_hardware_snippets = list<&four_tap_hardware>;
+inline constexpr const snippet* four_tap_hardware_snippets[]{&four_tap_hardware};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -111,7 +111,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 )GLSL",
 };
 
-inline constexpr auto pcf_2x2_cube_snippets = list<&cube_lit, &pcf_2x2_cube>;
+inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube};
 
 }  // namespace glsl
 }  // namespace umbrage

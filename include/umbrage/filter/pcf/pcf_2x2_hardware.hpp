@@ -99,7 +99,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
 )GLSL",
 };
 
-inline constexpr auto pcf_2x2_hardware_snippets = list<&lit_filtered, &lit_at, &pcf_2x2_hardware>;
+inline constexpr const snippet* pcf_2x2_hardware_snippets[]{&lit_filtered, &lit_at, &pcf_2x2_hardware};
 
 }  // namespace glsl
 }  // namespace umbrage

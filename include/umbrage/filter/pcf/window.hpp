@@ -201,7 +201,7 @@ inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size ==
                                     .needs = list<&is_compared, &lit_2x2>,
                                     .source = {detail::window_sum_text, Size}};
 
-inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &window_sum<7>>;
+inline constexpr const snippet* window_snippets[]{&window_sum<3>, &window_sum<5>, &window_sum<7>};
 
 }  // namespace glsl
 }  // namespace umbrage

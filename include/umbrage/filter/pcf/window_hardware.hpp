@@ -134,7 +134,8 @@ inline constexpr snippet window_hardware{
     .needs = list<&is_compared, &before_far, &lit_at>,
     .source = {detail::window_hardware_text, Size}};
 
-inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;
+inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, &window_hardware<5>,
+                                                           &window_hardware<7>};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -137,9 +137,9 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
 
 /// What a family's texts need, by the size of their window.
 template <int Size>
-inline constexpr auto window_needs = list<&window_sum<Size>>;
+inline constexpr const auto& window_needs = list<&window_sum<Size>>;
 template <>
-inline constexpr auto window_needs<2> = list<&is_compared, &lit_2x2>;
+inline constexpr const auto& window_needs<2> = list<&is_compared, &lit_2x2>;
 
 }  // namespace detail
 

@@ -109,7 +109,7 @@ UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HI
 )GLSL",
 };
 
-inline constexpr auto chebyshev_snippets = list<&forward_depth, &chebyshev, &bleed_cut>;
+inline constexpr const snippet* chebyshev_snippets[]{&forward_depth, &chebyshev, &bleed_cut};
 
 }  // namespace glsl
 }  // namespace umbrage

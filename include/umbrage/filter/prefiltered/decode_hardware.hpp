@@ -182,8 +182,8 @@ UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_
 )GLSL",
 };
 
-inline constexpr auto decode_hardware_snippets =
-    list<&chebyshev_hardware, &decode_vsm_hardware, &decode_evsm2_hardware, &decode_evsm4_hardware>;
+inline constexpr const snippet* decode_hardware_snippets[]{&chebyshev_hardware, &decode_vsm_hardware,
+                                                           &decode_evsm2_hardware, &decode_evsm4_hardware};
 
 }  // namespace glsl
 }  // namespace umbrage

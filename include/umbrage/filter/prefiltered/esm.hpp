@@ -117,7 +117,7 @@ UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP floa
 )GLSL",
 };
 
-inline constexpr auto esm_snippets = list<&warp_depth, &encode_esm, &decode_esm>;
+inline constexpr const snippet* esm_snippets[]{&warp_depth, &encode_esm, &decode_esm};
 
 }  // namespace glsl
 }  // namespace umbrage

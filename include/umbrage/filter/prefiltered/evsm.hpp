@@ -200,7 +200,7 @@ UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP flo
 )GLSL",
 };
 
-inline constexpr auto evsm_snippets = list<&encode_evsm2, &encode_evsm4, &decode_evsm2, &decode_evsm4>;
+inline constexpr const snippet* evsm_snippets[]{&encode_evsm2, &encode_evsm4, &decode_evsm2, &decode_evsm4};
 
 }  // namespace glsl
 }  // namespace umbrage

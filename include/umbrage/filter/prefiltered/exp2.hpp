@@ -160,7 +160,7 @@ UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
 )GLSL",
 };
 
-inline constexpr auto exp2_snippets = list<&power_of_two, &exp2_polynomial, &exp2_steps>;
+inline constexpr const snippet* exp2_snippets[]{&power_of_two, &exp2_polynomial, &exp2_steps};
 
 }  // namespace glsl
 }  // namespace umbrage

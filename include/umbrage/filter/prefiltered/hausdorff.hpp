@@ -127,7 +127,7 @@ UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_H
 )GLSL",
 };
 
-inline constexpr auto hausdorff_snippets = list<&hausdorff_share, &decode_msm_hausdorff>;
+inline constexpr const snippet* hausdorff_snippets[]{&hausdorff_share, &decode_msm_hausdorff};
 
 }  // namespace glsl
 }  // namespace umbrage

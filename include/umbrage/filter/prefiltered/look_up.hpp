@@ -277,8 +277,8 @@ UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 )GLSL",
 };
 
-inline constexpr auto look_up_snippets =
-    list<&fetch_bilinear, &vsm, &esm, &evsm2, &evsm4, &msm, &msm_turned, &msm_hausdorff>;
+inline constexpr const snippet* look_up_snippets[]{&fetch_bilinear, &vsm, &esm,        &evsm2,
+                                                   &evsm4,          &msm, &msm_turned, &msm_hausdorff};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -276,8 +276,8 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
 )GLSL",
 };
 
-inline constexpr auto msm_snippets =
-    list<&encode_msm, &turn_moments, &turn_moments_back, &moment_atoms, &bias_moments, &decode_msm>;
+inline constexpr const snippet* msm_snippets[]{&encode_msm,   &turn_moments, &turn_moments_back,
+                                               &moment_atoms, &bias_moments, &decode_msm};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -109,7 +109,7 @@ UMBRAGE_HIGHP vec4 umbrage_halve_texels(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 )GLSL",
 };
 
-inline constexpr auto reduce_snippets = list<&blur_row<3>, &blur_row<5>, &blur_row<7>, &halve_texels>;
+inline constexpr const snippet* reduce_snippets[]{&blur_row<3>, &blur_row<5>, &blur_row<7>, &halve_texels};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -151,8 +151,8 @@ UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
 )GLSL",
 };
 
-inline constexpr auto vsm_snippets =
-    list<&encode_vsm, &decode_vsm, &encode_deviation, &decode_deviation, &decode_deviation_rgba8>;
+inline constexpr const snippet* vsm_snippets[]{&encode_vsm, &decode_vsm, &encode_deviation, &decode_deviation,
+                                               &decode_deviation_rgba8};
 
 }  // namespace glsl
 }  // namespace umbrage

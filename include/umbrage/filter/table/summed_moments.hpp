@@ -126,7 +126,7 @@ UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
 )GLSL",
 };
 
-inline constexpr auto summed_moments_snippets = list<&box_mean, &summed_moments>;
+inline constexpr const snippet* summed_moments_snippets[]{&box_mean, &summed_moments};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -154,7 +154,7 @@ UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
 )GLSL",
 };
 
-inline constexpr auto summed_variance_snippets = list<&box_moments, &summed_variance>;
+inline constexpr const snippet* summed_variance_snippets[]{&box_moments, &summed_variance};
 
 }  // namespace glsl
 }  // namespace umbrage

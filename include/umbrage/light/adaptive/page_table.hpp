@@ -93,7 +93,7 @@ UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2
 )GLSL",
 };
 
-inline constexpr auto page_table_snippets = list<&page_coordinate>;
+inline constexpr const snippet* page_table_snippets[]{&page_coordinate};
 
 }  // namespace glsl
 }  // namespace umbrage

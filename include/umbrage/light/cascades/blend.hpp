@@ -187,8 +187,8 @@ UMBRAGE_HIGHP float umbrage_dithered_cascade(UMBRAGE_HIGHP float number, UMBRAGE
 )GLSL",
 };
 
-inline constexpr auto blend_snippets =
-    list<&cascade_weight, &cascade_fade, &cascade_border_fade, &blend_cascades, &dither_threshold, &dithered_cascade>;
+inline constexpr const snippet* blend_snippets[]{&cascade_weight, &cascade_fade,     &cascade_border_fade,
+                                                 &blend_cascades, &dither_threshold, &dithered_cascade};
 
 }  // namespace glsl
 }  // namespace umbrage

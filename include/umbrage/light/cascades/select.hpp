@@ -194,8 +194,8 @@ UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGH
 )GLSL",
 };
 
-inline constexpr auto select_snippets = list<&cascade_by_depth, &cascade_column, &cascade_coordinate, &inside_cascade,
-                                             &cascade_by_projection, &cascade_tile>;
+inline constexpr const snippet* select_snippets[]{&cascade_by_depth, &cascade_column,        &cascade_coordinate,
+                                                  &inside_cascade,   &cascade_by_projection, &cascade_tile};
 
 }  // namespace glsl
 }  // namespace umbrage
