@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -30,7 +31,8 @@ namespace umbrage {
 /// @formula                transpose(inverse(texture_matrix))
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix) {
-    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::dmat4(texture_matrix))));
+    using wide = std::common_type_t<T, double>;  // double, known where this is called: GLM's matrices cost to compile
+    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
     detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
                     "has no finite inverse");
     return m;
@@ -131,7 +133,7 @@ UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr auto slope_snippets = list<&clamp_slope, &plane_slope, &slope_bias>;
+inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &slope_bias};
 
 }  // namespace glsl
 }  // namespace umbrage
