@@ -75,13 +75,13 @@ template <real T>
 /// The least and the greatest of angles under which points lie, in x and in y, z ahead.
 struct angles {
     glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    bool all_ahead = true;  ///< false where one of them does not lie ahead, and nothing else is told
 };
-/// @return   nothing where one of them does not lie ahead
 template <class = on_use>
-[[nodiscard]] std::optional<angles> angles_of(const std::vector<glm::dvec3>& points) {
+[[nodiscard]] angles angles_of(const std::vector<glm::dvec3>& points) {
     angles a;
     for (const glm::dvec3& p : points) {
-        if (!(p.z > 0.0)) return {};
+        if (!(p.z > 0.0)) return {.all_ahead = false};
         const glm::dvec2 angle(std::atan2(p.x, p.z), std::atan2(p.y, p.z));
         a.low = glm::min(a.low, angle), a.high = glm::max(a.high, angle);
     }
@@ -99,9 +99,9 @@ template <class = on_use>
     const glm::dvec3 ahead = image.z > 1.0 ? glm::dvec3(0, 0, -1) : middle - image;
     const glm::dmat4 first = light_frame(
         look_along(image, ahead, glm::dvec3(0, 1, 0), handedness::right, function, "camera"), handedness::right);
-    const auto around = angles_of(seen(first, receivers));
-    if (!around) return {};
-    const glm::dvec2 halfway = glm::tan((around->low + around->high) * 0.5);
+    const angles around = angles_of(seen(first, receivers));
+    if (!around.all_ahead) return {};
+    const glm::dvec2 halfway = glm::tan((around.low + around.high) * 0.5);
     const glm::dvec3 axis = unit(glm::transpose(glm::dmat3(first)) * glm::dvec3(halfway, 1.0));
     return image + axis * glm::dot(middle - image, axis);
 }
@@ -131,9 +131,9 @@ template <class = on_use>
         const glm::dvec4 h = rays * glm::dvec4(p, 1.0);
         ahead.emplace_back(h.x * glm::abs(bend), h.y * glm::abs(bend), h.w);
     }
-    const auto seen = angles_of(ahead);
-    if (!seen) return {rays, std::numbers::pi};
-    const glm::dvec2 opening = seen->high - seen->low;
+    const angles seen = angles_of(ahead);
+    if (!seen.all_ahead) return {rays, std::numbers::pi};
+    const glm::dvec2 opening = seen.high - seen.low;
     return {rays, glm::max(opening.x, opening.y)};
 }
 
