@@ -49,7 +49,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
     snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel);
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
     snapped.for_each_chunk(parallel, [&] {
-        snapped.for_each_batch_in_bands(parallel, [&](const triangles& batch) {
+        snapped.for_each_batch(parallel, [&](const triangles& batch) {
             if (forward) draw<true>(depth, flipped, batch);
             else draw<false>(depth, flipped, batch);
         });

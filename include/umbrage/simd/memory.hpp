@@ -86,17 +86,31 @@ UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) 
     else std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
 }
 
-/// A number that one thread hands to others, with all that it wrote before: std::atomic, whose header takes a tenth of
-/// the time that all of glm.hpp and the usual standard headers do.
+/// A number that threads hand to each other, with all that they wrote before: std::atomic, whose header takes a tenth
+/// of the time that all of glm.hpp and the usual standard headers do.
 #if defined(__GNUC__) || defined(__clang__)
 inline int load_acquire(const int& from) { return __atomic_load_n(&from, __ATOMIC_ACQUIRE); }
+inline int exchange_acquire(int value, int& with) { return __atomic_exchange_n(&with, value, __ATOMIC_ACQUIRE); }
 inline void store_release(int value, int& to) { __atomic_store_n(&to, value, __ATOMIC_RELEASE); }
 #else
 inline int load_acquire(const int& from) {
     return std::atomic_ref(const_cast<int&>(from)).load(std::memory_order_acquire);
 }
+inline int exchange_acquire(int value, int& with) {
+    return std::atomic_ref(with).exchange(value, std::memory_order_acquire);
+}
 inline void store_release(int value, int& to) { std::atomic_ref(to).store(value, std::memory_order_release); }
 #endif
+
+/// Takes a lock, 1 while a thread has it, which others hold for microseconds; store_release(0, lock) gives it back.
+inline void take_lock(int& lock) {
+    while (exchange_acquire(1, lock) != 0)
+        while (load_acquire(lock) != 0) {
+#if defined(__GNUC__) && defined(__x86_64__)
+            __builtin_ia32_pause();
+#endif
+        }
+}
 
 /// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only
 /// prefetches has no effect, and a call of it is left out.

@@ -21,7 +21,6 @@
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/dispatch.hpp>
-#include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/raster/projection.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
@@ -137,48 +136,6 @@ public:
         const std::size_t vertex = by_corner_ ? 3 * (at.triangle - first_) + std::size_t(corner)
                                               : std::size_t(mesh_.triangles[at.triangle][corner] - lowest_);
         return vertices_[at.instance * stride_ + vertex];
-    }
-
-    /// What holds of all corners of triangles that follow each other.
-    struct corner_range {
-        std::int32_t lowest, highest;  ///< in 1/256 texel, where none is outside of planes
-        bool are_inside;               ///< of all planes
-        unsigned outside;              ///< planes that all are outside of
-    };
-    /// @param last   above first
-    [[nodiscard]] corner_range corners_of(unsigned first, unsigned last) const {
-        corner_range all;
-        on_best_isa([&](auto) UMBRAGE_INLINE {
-            using words = lanes_of<std::int32_t, 4>;  // of a vertex: x, y, and the halves of its depth
-            static_assert(sizeof(words) == sizeof(snapped_vertex));
-            words least, most, common;
-            load_lanes(&vertex(place_of(first), 0), least);
-            most = common = least;
-            const auto include = [&](const snapped_vertex& corner) UMBRAGE_INLINE {
-                words v;
-                load_lanes(&corner, v);
-                keep_least(v, least);
-                keep_greatest(v, most);
-                common &= v;
-            };
-            if (instances_.size() > 1) {
-                for (unsigned i = first; i < last; ++i)
-                    for (glm::length_t k = 0; k < 3; ++k) include(vertex(place_of(i), k));
-            } else if (by_corner_) {
-                for (std::size_t i = 3 * std::size_t(first); i < 3 * std::size_t(last); ++i) include(vertices_[i]);
-            } else {
-                const snapped_vertex* const vertices = vertices_.data();
-                const glm::uvec3* const t = mesh_.triangles.data() + first_;
-                for (unsigned i = first; i < last; ++i) {
-                    include(vertices[t[i].x - lowest_]);
-                    include(vertices[t[i].y - lowest_]);
-                    include(vertices[t[i].z - lowest_]);
-                }
-            }
-            // Outside of planes is leftmost, see outside_vertex().
-            all = {least[1], most[1], !is_outside(least[0]), is_outside(most[0]) ? unsigned(common[1]) : 0u};
-        });
-        return all;
     }
 
     /// A corner before it was snapped.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Instances of a mesh on the grid of an image, a chunk of triangles at a time: their vertices projected and snapped,
-// they themselves clipped and handed out in batches, in the mesh's order or band by band of the image's rows.
+// they themselves clipped and handed out in batches, in the mesh's order or so that threads draw side by side.
 //
 //     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, near_plane::clips);
 //     snapped.for_each_chunk(serial{}, [&] {
@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -30,6 +29,7 @@
 #include <umbrage/simd/memory.hpp>
 #include <umbrage/simd/raster/clip.hpp>
 #include <umbrage/simd/raster/projection.hpp>
+#include <umbrage/simd/raster/row_locks.hpp>
 #include <umbrage/simd/raster/snapped_chunk.hpp>
 #include <umbrage/simd/raster/triangles.hpp>
 #include <umbrage/simd/strict_math.hpp>
@@ -80,34 +80,29 @@ public:
             }
     }
 
-    /// The chunk in the mesh's order, all over the image.
+    /// The chunk in the mesh's order.
     /// @param draw   (const triangles&)
     template <class Draw>
     void for_each_batch(const Draw& draw) const {
-        in_batches({{0, 0}, size_}, draw, [&](const auto& add) {
-            for (unsigned i = 0; i < chunk_.count(); ++i) {
-                const drawn_triangle at = chunk_.place_of(i);
-                const corners c = corners_of(at);
-                if (c.crossed == 0) add(c.a, c.b, c.c, unsigned(at.triangle));
-                else for_each_part(at, c, add);
-            }
-        });
+        for_each_batch_of(0, chunk_.count(), draw);
     }
 
-    /// The chunk band by band, where that keeps texels in the cache or lets threads draw side by side; else as above.
+    /// The chunk in an order that keeps texels in the cache, by threads of which no two draw to the same row at once.
+    /// @param draw   (const triangles&); must not throw
     template <class ParallelFor, class Draw>
-    void for_each_batch_in_bands(ParallelFor&& parallel, const Draw& draw) {
+    void for_each_batch(ParallelFor&& parallel, const Draw& draw) {
         const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
-        const bool coherent = is_coherent(rows);
-        if (is_serial<ParallelFor> && (bands == 1 || coherent)) return for_each_batch(draw);
-        const unsigned length = coherent ? run_length : 1;
-        sort_into_bands(rows, bands, length, parallel);
+        if (bands == 1 || is_coherent(rows)) {
+            if constexpr (is_serial<ParallelFor>) return for_each_batch(draw);
+            else return for_each_batch_under_locks(parallel, draw);
+        }
+        sort_into_bands(rows, bands, parallel);
         parallel(bands, [&](int first, int last) {
             for (int band = first; band < last; ++band) {
                 const texel_bounds bounds{{0, band * rows}, {size_.x, lesser((band + 1) * rows, size_.y)}};
                 in_batches(bounds, draw, [&](const auto& add) {
                     for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
-                        add_from(lists_[i], length, bounds, add);
+                        add_from(lists_[i], add);
                 });
             }
         });
@@ -117,19 +112,11 @@ private:
     template <class ParallelFor>
     static constexpr bool is_serial = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
     static constexpr int band_texels = 1 << 16, band_rows = 64;
-    static constexpr unsigned piece = 1 << 16;  // triangles that one thread reads or sorts at a time
+    static constexpr unsigned piece = 1 << 16;  // triangles that a thread reads or sorts at a time
     static constexpr std::size_t several_pieces = 16 * piece;
-    static constexpr unsigned many = 64, run_length = 16;         // looked at; sorted: longer ones lie in more bands
+    static constexpr unsigned handful = 1 << 10;                  // that one draws at a time
     static constexpr unsigned before = 1u << projection::z_near;  // the bit of that plane
 
-    /// Triangles of the chunk that follow each other.
-    struct run {
-        unsigned first, last;
-        [[nodiscard]] unsigned size() const { return last - first; }
-    };
-    [[nodiscard]] run run_from(unsigned first, unsigned length) const {
-        return {first, lesser(first + length, chunk_.count())};
-    }
     /// Of as many triangles, or of those that are left, from the first of a piece on.
     [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
         index_range all;
@@ -191,86 +178,99 @@ private:
         if (batch.count > 0) finish();
     }
 
+    template <class Draw>
+    void for_each_batch_of(unsigned first, unsigned last, const Draw& draw) const {
+        in_batches({{0, 0}, size_}, draw, [&](const auto& add) {
+            for (unsigned i = first; i < last; ++i) {
+                const drawn_triangle at = chunk_.place_of(i);
+                const corners c = corners_of(at);
+                if (c.crossed == 0) add(c.a, c.b, c.c, unsigned(at.triangle));
+                else for_each_part(at, c, add);
+            }
+        });
+    }
+
+    /// By threads, each of which draws triangles that follow each other: they cover few rows, so that threads seldom
+    /// wait for each other.
+    template <class ParallelFor, class Draw>
+    void for_each_batch_under_locks(ParallelFor&& parallel, const Draw& draw) const {
+        row_locks locks(size_.y);
+        parallel(static_cast<int>((chunk_.count() + handful - 1) / handful), [&](int first, int last) {
+            for_each_batch_of(unsigned(first) * handful, lesser(unsigned(last) * handful, chunk_.count()),
+                              [&](const triangles& batch) {
+                                  const glm::ivec2 rows = batch.covered_rows();
+                                  if (rows.x < rows.y) locks.hold(rows, [&] { draw(batch); });
+                              });
+        });
+    }
+
     /// What may be seen in a band, of a piece.
     struct band_list {
         struct part {
             snapped_vertex a, b, c;
             unsigned triangle;
         };
-        std::vector<unsigned> runs;  // where they begin; without triangles that cross planes
-        std::vector<part> parts;     // what is left of those
+        std::vector<unsigned> whole;  // triangles of the chunk
+        std::vector<part> parts;      // what is left of those that cross planes
     };
 
     template <class Add>
-    void add_from(const band_list& list, unsigned length, const texel_bounds& bounds, const Add& add) const {
-        const int bottom = bounds.first.y * subtexels, top = bounds.last.y * subtexels;
-        for (std::size_t k = 0; k < list.runs.size(); ++k) {
-            if (length == 1) expect(list.runs, k);
-            const run some = run_from(list.runs[k], length);
-            for (unsigned i = some.first; i < some.last; ++i) {
-                const drawn_triangle at = chunk_.place_of(i);
-                const auto [a, b, c, crossed] = corners_of(at);
-                if (crossed == 0 && greater(a.y, b.y, c.y) >= bottom && lesser(a.y, b.y, c.y) <= top)
-                    add(a, b, c, unsigned(at.triangle));
-            }
+    void add_from(const band_list& list, const Add& add) const {
+        for (std::size_t k = 0; k < list.whole.size(); ++k) {
+            expect(list.whole, k);
+            const drawn_triangle at = chunk_.place_of(list.whole[k]);
+            const corners c = corners_of(at);
+            add(c.a, c.b, c.c, unsigned(at.triangle));
         }
         for (const auto& part : list.parts) add(part.a, part.b, part.c, part.triangle);
     }
 
-    /// Whether runs of many triangles lie in few bands, by a look at some.
+    /// Whether triangles that follow each other lie in few bands, by a look at some.
     [[nodiscard]] bool is_coherent(int rows_a_band) const {
-        constexpr unsigned looks = 16;
+        constexpr unsigned looks = 16, many = 64;
         const unsigned step = greater(chunk_.count() / looks, many);
         int covered = 0, allowed = 0;
-        for (unsigned i = 0; i < chunk_.count(); i += step, allowed += 2 * rows_a_band) {
-            const glm::ivec2 some = rows(run_from(i, many), [](const auto&...) {});
-            covered += greater(some.y - some.x, 0);
+        for (unsigned first = 0; first < chunk_.count(); first += step, allowed += 2 * rows_a_band) {
+            std::int32_t lowest = guard_band * subtexels, highest = -lowest;
+            for (unsigned i = first; i < lesser(first + many, chunk_.count()); ++i) {
+                const corners c = corners_of(chunk_.place_of(i));
+                if (c.crossed != 0) continue;
+                lowest = lesser(lowest, c.a.y, c.b.y, c.c.y), highest = greater(highest, c.a.y, c.b.y, c.c.y);
+            }
+            const glm::ivec2 rows = rows_between(lowest, highest);
+            covered += greater(rows.y - rows.x, 0);
         }
         return covered <= allowed;
     }
 
-    /// Rows first <= y < last that triangles may cover, or none. Without those that cross planes, whose parts may lie
-    /// beyond their corners' rows: where corners are far, by rounding.
-    /// @param use   (a, b, c, unsigned triangle), for what is drawn of those
-    template <class Use>
-    [[nodiscard]] glm::ivec2 rows(const run& some, const Use& use) const {
-        if (some.size() > 1) {  // registers pay for many
-            const auto all = chunk_.corners_of(some.first, some.last);
-            if (all.are_inside) return rows_between(all.lowest, all.highest);
-            if (is_out_of_sight(all.outside)) return {0, 0};
-        }
-        std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
-        for (unsigned i = some.first; i < some.last; ++i) {
-            const drawn_triangle at = chunk_.place_of(i);
-            const corners c = corners_of(at);
-            if (c.crossed != 0) for_each_part(at, c, use);
-            else lowest = lesser(lowest, c.a.y, c.b.y, c.c.y), highest = greater(highest, c.a.y, c.b.y, c.c.y);
-        }
-        return lowest > highest ? glm::ivec2(0, 0) : rows_between(lowest, highest);
-    }
+    /// Rows first <= y < last that triangles may cover.
     [[nodiscard]] glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) const {
         const auto between = triangles::rows_between(lowest, highest);
         return {greater(between.x, 0), lesser(between.y, size_.y)};
     }
 
-    /// Runs of a length into lists of the bands in which they may be seen.
+    /// Triangles into lists of the bands in which they may be seen.
     template <class ParallelFor>
-    void sort_into_bands(int rows_a_band, int bands, unsigned length, ParallelFor&& parallel) {
+    void sort_into_bands(int rows_a_band, int bands, ParallelFor&& parallel) {
         const unsigned pieces = (chunk_.count() + piece - 1) / piece;
-        for (band_list& list : lists_) list.runs.clear(), list.parts.clear();
+        for (band_list& list : lists_) list.whole.clear(), list.parts.clear();
         lists_.resize(std::size_t(pieces) * std::size_t(bands));
         parallel(static_cast<int>(pieces), [&](int from, int to) {
-            for (unsigned i = unsigned(from) * piece; i < lesser(unsigned(to) * piece, chunk_.count()); i += length) {
+            for (unsigned i = unsigned(from) * piece; i < lesser(unsigned(to) * piece, chunk_.count()); ++i) {
                 band_list* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
-                const auto put = [&](const glm::ivec2& covered, auto band_list::*kind, const auto& what) {
+                const auto put = [&](const auto& a, const auto& b, const auto& c, auto band_list::*kind,
+                                     const auto& what) {
+                    const glm::ivec2 covered = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
                     for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
                         (lists[band].*kind).push_back(what);
                 };
                 const auto keep = [&](const auto& a, const auto& b, const auto& c, unsigned triangle) {
-                    const glm::ivec2 covered = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
-                    put(covered, &band_list::parts, typename band_list::part{a, b, c, triangle});
+                    put(a, b, c, &band_list::parts, typename band_list::part{a, b, c, triangle});
                 };
-                put(rows(run_from(i, length), keep), &band_list::runs, i);
+                const drawn_triangle at = chunk_.place_of(i);
+                const corners c = corners_of(at);
+                if (c.crossed == 0) put(c.a, c.b, c.c, &band_list::whole, i);
+                else for_each_part(at, c, keep);
             }
         });
     }

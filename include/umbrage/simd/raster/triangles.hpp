@@ -97,6 +97,14 @@ public:
         });
     }
 
+    /// Rows first <= y < second that its triangles may cover; none: first >= second.
+    [[nodiscard]] glm::ivec2 covered_rows() const {
+        std::int32_t first = guard_band, last = 0;
+        for (int i = 0; i < count; ++i)
+            if (rows[i] > 0) first = lesser(first, first_y[i]), last = greater(last, first_y[i] + rows[i]);
+        return {first, last};
+    }
+
     [[nodiscard]] UMBRAGE_INLINE depth_plane plane(int i) const {
         const double a = z_[0][i], b = z_[1][i], c = z_[2][i];
         const double low = a < b ? a : b, high = a < b ? b : a;
