@@ -18,6 +18,7 @@
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/memory.hpp>
+#include <umbrage/simd/raster/depth_rounding.hpp>
 #include <umbrage/simd/raster/small_triangles.hpp>
 #include <umbrage/simd/raster/triangles.hpp>
 #include <umbrage/simd/strict_math.hpp>
@@ -41,9 +42,11 @@ public:
         for (int i = 0; i < batch.count; ++i)
             if (small.has(i)) expect(batch, i);
         small.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
+        if (small.has_all()) return;
+        const triangles_of_binade of_binade(batch);
         for (int i = 0; i < batch.count; ++i) {
             if (i + 1 < batch.count) expect(batch, i + 1);
-            if (!small.has(i)) draw(batch, i);
+            if (!small.has(i)) draw(batch, i, of_binade.has(i));
         }
     }
 
@@ -60,13 +63,16 @@ private:
         for (int y = batch.first_y[i]; y < last; ++y) prefetch_line(row(y) + batch.first_x[i]);
     }
 
-    UMBRAGE_INLINE void draw(const triangles& batch, int i) const {
+    UMBRAGE_INLINE void draw(const triangles& batch, int i, bool is_of_binade) const {
         if (batch.rows[i] == 0) return;
         const depth_plane plane = batch.plane(i);
         if (Forward ? plane.lowest > 1.0 : plane.highest < 0.0) return;
         if constexpr (has_lanes)  // depths of one sign, and none that is flushed: their bits are in their order
-            if (width_ >= Lanes && plane.lowest >= 0x1p-126 && plane.highest <= 1.0)
-                return draw_columns(batch, i, plane);
+            if (width_ >= Lanes && plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
+                if (is_of_binade) draw_columns(batch, i, plane, depths_of_binade<Lanes>(plane.lowest));
+                else draw_columns(batch, i, plane, any_depths<Lanes>(plane.lowest, plane.highest));
+                return;
+            }
         draw_rows(batch, i, plane);
     }
 
@@ -106,19 +112,20 @@ private:
     }
 
     /// Column by column, in rows of a block each; the depths are within (0, 1] and normal numbers.
-    UMBRAGE_INLINE void draw_columns(const triangles& batch, int i, const depth_plane& plane) const {
+    /// @param depths   rounds them, see depth_rounding.hpp
+    template <class Depths>
+    UMBRAGE_INLINE void draw_columns(const triangles& batch, int i, const depth_plane& plane,
+                                     const Depths& depths) const {
         // Columns begin where blocks do in memory: what two triangles share is then whole blocks, which the processor
         // hands from a store to the next load.
         const int first_x = batch.first_x[i], first_y = batch.first_y[i], rows = batch.rows[i];
         const int from = ((first_x + skew_) & -Lanes) - skew_, end = first_x + batch.columns[i];
         const std::int32_t right[] = {batch.right[0][i], batch.right[1][i], batch.right[2][i]};
         const std::int32_t up[] = {batch.up[0][i], batch.up[1][i], batch.up[2][i]};
-        const ints lowest = bit_cast<std::int32_t>(static_cast<float>(plane.lowest)) + ints{};
-        const ints highest = bit_cast<std::int32_t>(static_cast<float>(plane.highest)) + ints{};
         ints ramp;
         count_lanes<std::int32_t, Lanes>(ramp);
-        doubles ramp_low;
-        count_lanes<double, Lanes / 2>(ramp_low);
+        doubles ramp_first, ramp_second;
+        depths.count(ramp_first, ramp_second);
 
         // Texels x .. x_end - 1 of `height` rows; e: the edges at x and y.
         const double dx = plane.dx, dy = plane.dy, corner = plane.z;
@@ -150,20 +157,17 @@ private:
                     f1 += right[1] * moved + up[1] * first;
                     f2 += right[2] * moved + up[2] * first;
                 }
-                doubles z_low = z + dx * (ramp_low + double(within - first_x));
-                doubles z_high = z + dx * (ramp_low + double(within - first_x + Lanes / 2));
+                doubles z_first = z + dx * (ramp_first + double(within - first_x));
+                doubles z_second = z + dx * (ramp_second + double(within - first_x));
                 std::byte* at = reinterpret_cast<std::byte*>(row(y + first) + within);
                 for (int rest = last - first; rest > 0; --rest, at += stride) {
-                    floats rounded, there;
-                    narrow_lanes<float, Lanes>(z_low, z_high, rounded);
-                    ints here = reinterpret_cast<ints>(rounded);
-                    here = here < lowest ? lowest : here;
-                    here = here > highest ? highest : here;
+                    floats here, there;
+                    depths.round(z_first, z_second, here);
                     load_lanes(at, there);
-                    take_nearer(reinterpret_cast<floats>(here), f0 | f1 | f2, there);
+                    take_nearer(here, f0 | f1 | f2, there);
                     store_lanes(there, at);
                     f0 += up0, f1 += up1, f2 += up2;
-                    z_low += dy, z_high += dy;
+                    z_first += dy, z_second += dy;
                 }
             }
         };

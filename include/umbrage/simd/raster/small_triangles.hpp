@@ -41,7 +41,7 @@ public:
             lowest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(lowest)));
             highest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(highest)));
         }
-        std::int32_t count = 0, most_columns = 0, most_rows = 0;
+        std::int32_t count = 0, drawn = 0, most_columns = 0, most_rows = 0;
         const std::int32_t used = batch.count;
         for (int i = 0; i < block; ++i) {
             const std::int32_t columns = batch.columns[i], rows = batch.rows[i];
@@ -51,12 +51,16 @@ public:
             last_x_[i] = ((columns - 1) & is_small) | ~is_small;
             last_y_[i] = ((rows - 1) & is_small) | ~is_small;
             count -= is_small;
+            drawn += std::int32_t(i < used) & std::int32_t(rows > 0);
             most_columns = greater(most_columns, columns & is_small);
             most_rows = greater(most_rows, rows & is_small);
         }
         if (count >= enough) columns_ = most_columns, rows_ = most_rows;
+        has_all_ = drawn == (count >= enough ? count : 0);
     }
 
+    /// Whether no others are drawn.
+    [[nodiscard]] UMBRAGE_INLINE bool has_all() const { return has_all_; }
     [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return columns_ > 0 && last_x_[i] >= 0; }
 
     /// @param sample   (int x, int y, float depth): a covered texel, whatever the order
@@ -115,7 +119,8 @@ private:
     }();
 
     const triangles& batch_;
-    int columns_ = 0, rows_ = 0;                               // the most that one has
+    int columns_ = 0, rows_ = 0;  // the most that one has
+    bool has_all_ = false;
     alignas(64) std::int32_t last_x_[block], last_y_[block];   // from the first; -1: it is none
     alignas(64) std::int32_t lowest_[block], highest_[block];  // depths, as bits of floats
 };

@@ -114,6 +114,11 @@ public:
     /// Depth of the plane so many texels from the first, not limited to that of the corners.
     [[nodiscard]] UMBRAGE_INLINE double depth(int i, int x, int y) const { return depth_[i] + dx_[i] * x + dy_[i] * y; }
     [[nodiscard]] UMBRAGE_INLINE double corner_depth(int k, int i) const { return z_[k][i]; }
+    /// Of the plane there, which may differ by as much as its slopes were rounded.
+    [[nodiscard]] UMBRAGE_INLINE double depth_at_corner(int k, int i) const {
+        return depth(i, 0, 0) + dx_[i] * 0x1p-8 * (x_[k][i] - first_x[i] * subtexels - centre) +
+               dy_[i] * 0x1p-8 * (y_[k][i] - first_y[i] * subtexels - centre);
+    }
 
     /// Whether 32 bits hold the edges over the triangle's bounds, and some texels beyond.
     [[nodiscard]] UMBRAGE_INLINE bool is_small(int i) const { return side_[i] < 2048 * subtexels; }

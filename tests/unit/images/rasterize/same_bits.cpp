@@ -159,10 +159,14 @@ TEST_CASE("rasterize_depth: triangles of a few texels, among others or not, are 
                 for (int i = 0; i < 6000; ++i) {
                     const int reach = random(1, 8) <= large_of_eight ? texels(1, 20) : random(64, 700);
                     const glm::ivec2 centre{random(-512, 256 * size.x + 512), random(-512, 256 * size.y + 512)};
+                    const bool alike = random(0, 2) == 0;  // depths from a power of two to the next, or near to them
+                    const float scale = std::ldexp(1.0f, random(0, 3) == 0 ? -125 : random(-3, 0));
                     std::array<glm::vec3, 3> corner;
                     for (auto& c : corner) {
                         const glm::ivec2 to{random(-reach, reach), random(-reach, reach)};
-                        c = at(centre.x + to.x, centre.y + to.y, size, depth());
+                        const float near[] = {0.5f, std::nextafter(0.5f, 0.0f), std::nextafter(1.0f, 0.0f), 1.0f};
+                        const float z = random(0, 3) ? random.real(0.5f, 1.0f) : near[random(0, 3)];
+                        c = at(centre.x + to.x, centre.y + to.y, size, alike ? scale * z : depth());
                     }
                     m.add(corner[0], corner[1], corner[2]);
                 }
