@@ -23,4 +23,14 @@ struct serial {
     }
 };
 
+namespace detail {
+
+/// By the caller's scheduler, unless there is only one piece, for which it would start threads in vain.
+template <class ParallelFor, class Piece>
+void in_pieces(int count, ParallelFor&& parallel, const Piece& piece) {
+    if (count == 1) piece(0, 1);
+    else parallel(count, piece);
+}
+
+}  // namespace detail
 }  // namespace umbrage

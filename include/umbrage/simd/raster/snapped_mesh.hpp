@@ -50,7 +50,7 @@ public:
         require_drawable(size);
         if (mesh.triangles.empty()) return;
         indices_.resize((mesh.triangles.size() + piece - 1) / piece);
-        parallel(static_cast<int>(indices_.size()), [&](int first, int last) {
+        in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {
             const glm::uvec3* const triangles = mesh.triangles.data();
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
                 indices_[i] =
@@ -255,7 +255,7 @@ private:
         const unsigned pieces = (chunk_.count() + piece - 1) / piece;
         for (band_list& list : lists_) list.whole.clear(), list.parts.clear();
         lists_.resize(std::size_t(pieces) * std::size_t(bands));
-        parallel(static_cast<int>(pieces), [&](int from, int to) {
+        in_pieces(static_cast<int>(pieces), parallel, [&](int from, int to) {
             for (unsigned i = unsigned(from) * piece; i < lesser(unsigned(to) * piece, chunk_.count()); ++i) {
                 band_list* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
                 const auto put = [&](const auto& a, const auto& b, const auto& c, auto band_list::*kind,
