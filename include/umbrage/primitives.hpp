@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
-// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive) and the texts of snippets
-// come with <umbrage/umbrage.hpp> or in headers of their own. Made by single_include/amalgamate.cmake.
+// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive), the lists of encodings and
+// filters and the texts of snippets come with <umbrage/umbrage.hpp> or in headers of their own. Made by
+// single_include/amalgamate.cmake.
 #pragma once
 
 #include <umbrage/bias/acne_free.hpp>
@@ -19,7 +20,6 @@
 #include <umbrage/depth/code.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/depth/encoding.hpp>
-#include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
@@ -56,7 +56,6 @@
 #include <umbrage/filter/prefiltered/hausdorff.hpp>
 #include <umbrage/filter/prefiltered/look_up.hpp>
 #include <umbrage/filter/prefiltered/msm.hpp>
-#include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/filter/prefiltered/reduce.hpp>
 #include <umbrage/filter/prefiltered/vsm.hpp>
 #include <umbrage/filter/table/summed_moments.hpp>
@@ -79,7 +78,6 @@
 #include <umbrage/light/tetrahedron.hpp>
 #include <umbrage/light/tetrahedron_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/list.hpp>
 #include <umbrage/literal.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/shade/lighting.hpp>
