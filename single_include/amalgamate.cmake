@@ -22,10 +22,10 @@ function(made name new old)
 endfunction()
 
 # The primitives: every header but those of whole images, which bring simd/ along, those that make texts, the lists of
-# kinds, which tools walk, and those that fit lights to a scene or keep account of what they drew: geometry and
-# containers, which take their time to compile.
+# kinds, which tools walk, other programs' formats, and those that fit lights to a scene or keep account of what they
+# drew: geometry and containers, which take their time to compile.
 file(GLOB_RECURSE primitives RELATIVE ${root}/include ${root}/include/*.hpp)
-list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader|warp)/|/(umbrage|primitives|list|[a-z]*(filters|encodings))\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader|warp|foreign)/|/(umbrage|primitives|list|[a-z]*(filters|encodings))\\.hpp$")
 list(FILTER primitives EXCLUDE REGEX "/light/([a-z]+_fit|bounds|sweep|cascades/(cascades|warped)|adaptive/(pages|root))\\.hpp$")
 list(SORT primitives)
 list(TRANSFORM primitives REPLACE "(.+)" "#include <\\1>\n")
@@ -37,9 +37,9 @@ endif()
 file(WRITE ${folder}/primitives.hpp "// SPDX-License-Identifier: MIT
 //
 // The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
-// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive), the lists of encodings and
-// filters and the texts of snippets come with <umbrage/umbrage.hpp> or in headers of their own. Made by
-// single_include/amalgamate.cmake.
+// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive), other programs' formats
+// (depth/foreign), the lists of encodings and filters and the texts of snippets come with <umbrage/umbrage.hpp> or in
+// headers of their own. Made by single_include/amalgamate.cmake.
 #pragma once
 
 ${primitives}")

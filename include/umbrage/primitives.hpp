@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
-// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive), the lists of encodings and
-// filters and the texts of snippets come with <umbrage/umbrage.hpp> or in headers of their own. Made by
-// single_include/amalgamate.cmake.
+// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive), other programs' formats
+// (depth/foreign), the lists of encodings and filters and the texts of snippets come with <umbrage/umbrage.hpp> or in
+// headers of their own. Made by single_include/amalgamate.cmake.
 #pragma once
 
 #include <umbrage/bias/acne_free.hpp>
@@ -21,10 +21,6 @@
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/depth/float_bits.hpp>
-#include <umbrage/depth/foreign/base255.hpp>
-#include <umbrage/depth/foreign/ps14.hpp>
-#include <umbrage/depth/foreign/threejs.hpp>
-#include <umbrage/depth/foreign/threejs_legacy.hpp>
 #include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rg_level.hpp>
