@@ -52,7 +52,7 @@ struct stability_report {
 template <class Frame>
 [[nodiscard]] stability_report measure_stability(int frames, std::size_t points, Frame&& frame) {
     detail::require(frames >= 1, "measure_stability", "frames", "must be above 0");
-    std::vector<std::vector<placed_point>> first;  // by map, then by point
+    std::vector<placed_point> first;  // of a map, point by point
     std::vector<char> compared(points), changed(points);
     stability_report report;
     for (int i = 0; i < frames; ++i) {
@@ -60,9 +60,9 @@ template <class Frame>
         for (std::size_t k = 0; k < points; ++k) {
             const placed_point now = place(k);
             if (now.map < 0) continue;
-            const auto map = static_cast<std::size_t>(now.map);
-            if (map >= first.size()) first.resize(map + 1, std::vector<placed_point>(points));
-            placed_point& then = first[map][k];
+            const std::size_t before = points * static_cast<std::size_t>(now.map);
+            if (before >= first.size()) first.resize(before + points);
+            placed_point& then = first[before + k];
             if (then.map < 0) {
                 then = now;
                 continue;

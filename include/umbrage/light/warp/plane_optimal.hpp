@@ -87,18 +87,17 @@ template <real T>
     const double edge = 1.0 + 2.0 * double(fit.margin);
     // w is a plane's point's, by a share that a point light takes away on the way towards it
     const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
-    const auto swept = seen_within(to_map, casters,
-                                   {{1, 0, 0, edge},
-                                    {-1, 0, 0, edge},
-                                    {0, 1, 0, edge},
-                                    {0, -1, 0, edge},
-                                    glm::dvec4(0, 0, 0, 1) - share * least,
-                                    share * greatest - glm::dvec4(0, 0, 0, 1)});
-    extent box{glm::dvec3(-edge, -edge, 0.0), glm::dvec3(edge, edge, 0.0)};
-    if (swept) box.low.z = glm::min(box.low.z, swept->low.z), box.high.z = glm::max(box.high.z, swept->high.z);
+    const glm::dvec2 swept = depths_within(to_map, casters,
+                                           {{1, 0, 0, edge},
+                                            {-1, 0, 0, edge},
+                                            {0, 1, 0, edge},
+                                            {0, -1, 0, edge},
+                                            glm::dvec4(0, 0, 0, 1) - share * least,
+                                            share * greatest - glm::dvec4(0, 0, 0, 1)});
+    extent box{glm::dvec3(-edge, -edge, glm::min(0.0, swept.x)), glm::dvec3(edge, edge, glm::max(0.0, swept.y))};
     const double deep = glm::max(double(fit.margin), 0x1p-8) * glm::max(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
-    const auto warped = swept ? laid(to_map, box, least, greatest, fit, function) : std::nullopt;
+    const auto warped = laid(to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "give too large or too small a map");
     return *warped;
 }

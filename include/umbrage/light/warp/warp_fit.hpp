@@ -76,30 +76,32 @@ template <real T>
     return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
 }
 
-/// What a map sees of a body within planes of the map's space.
-/// @return   nothing where some of it does not lie before w = 0
+/// Least and greatest depth in a map of a body within planes of the map's space; infinity and -infinity where there is
+/// none of it.
+/// @return   -infinity and infinity, around which no map can be laid, where some of it does not lie before w = 0
 template <class = on_use>
-[[nodiscard]] std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
-                                                std::vector<glm::dvec4> planes) {
+[[nodiscard]] glm::dvec2 depths_within(const glm::dmat4& to_map, const polyhedron& body,
+                                       std::vector<glm::dvec4> planes) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
-    extent all;
+    double least = infinity, greatest = -infinity;
     for (const polyhedron::face& face : body.faces()) {
         std::vector<glm::dvec3> polygon = face.corners;
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
         for (const glm::dvec3& p : polygon) {
             const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-            if (!(h.w > 0.0)) return {};
-            all.low = glm::min(all.low, glm::dvec3(h) / h.w), all.high = glm::max(all.high, glm::dvec3(h) / h.w);
+            if (!(h.w > 0.0)) return {-infinity, infinity};
+            least = glm::min(least, h.z / h.w), greatest = glm::max(greatest, h.z / h.w);
         }
     }
-    return all;
+    return {least, greatest};
 }
 
 /// A projective map of which a box becomes the clip space's cube; turned over where it would mirror what it sees.
 /// @param to_map           world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth
 ///                         z / w grows; of any scale
 /// @param least, greatest  w of receivers
-/// @return                 nothing where the box has no extent, and where the map overflows
+/// @return                 nothing where the box has no extent or an infinite one, and where the map overflows
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
                                                   double greatest, const warp_fit<T>& fit, const char* function) {
@@ -141,9 +143,8 @@ template <real T>
     constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
     const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
     // the hull's cone over the map, of which the other half, behind w = 0, is no part
-    const auto swept = seen_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
-    if (!swept) return {};
-    box.low.z = glm::min(box.low.z, swept->low.z);
+    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
+    box.low.z = glm::min(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
     return laid(to_map, box, least_w, greatest_w, fit, function);
