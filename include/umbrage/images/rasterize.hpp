@@ -34,7 +34,7 @@
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/scalar.hpp>
-#include <umbrage/simd/raster/depth_writer.hpp>
+#include <umbrage/simd/raster/depth_target.hpp>
 #include <umbrage/simd/raster/snapped_mesh.hpp>
 #include <umbrage/simd/raster/triangles.hpp>
 #include <umbrage/simd/strict_math.hpp>
@@ -47,12 +47,11 @@ template <class ParallelFor>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> to_clip,
                      clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
     snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel);
-    const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
+    if (clip.origin == texture_origin::top && !depth.empty())
+        depth = {depth.row(depth.size.y - 1), depth.size, -depth.stride};
     snapped.for_each_chunk(parallel, [&] {
-        snapped.for_each_batch(parallel, [&](const triangles& batch) {
-            if (forward) draw<true>(depth, flipped, batch);
-            else draw<false>(depth, flipped, batch);
-        });
+        if (clip.direction == depth_direction::forward) snapped.for_each_batch(parallel, depth_target<true>(depth));
+        else snapped.for_each_batch(parallel, depth_target<false>(depth));
     });
 }
 
@@ -60,9 +59,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
-/// @param depth          greatest side 16384; row 0 is where clip.origin says; empty: nothing happens. Rows that start
-///                       a multiple of 4096 bytes apart, as those of 1024 or 2048 texels do, contend for the same lines
-///                       of the cache: tall triangles take twice as long. A view's stride may be 64 bytes more
+/// @param depth          greatest side 16384; row 0 is where clip.origin says; empty: nothing happens
 /// @param mesh           triangles with a NaN or infinite position are left out, as all are if the matrix has one;
 ///                       those of no area on the 1/256 texel grid cover nothing
 /// @param world_to_clip  projection * view

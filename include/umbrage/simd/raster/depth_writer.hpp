@@ -3,7 +3,7 @@
 // Triangles into a depth image: the nearer of what is there and the plane's depth. Small ones are drawn all of a batch
 // at once, the others one by one, in columns of some texels' width.
 //
-//     draw<true>(depth, flipped, batch);
+//     draw<true>(rows, first, batch);
 //
 #pragma once
 
@@ -30,10 +30,12 @@ namespace umbrage::detail {
 template <bool Forward, int Lanes>
 class depth_writer {
 public:
-    UMBRAGE_INLINE depth_writer(image_view<float> depth, bool flipped)
-        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
-          up_(flipped ? -depth.stride : depth.stride),
-          width_(depth.size.x),
+    /// @param rows    of the image from the first on, upwards; all that the triangles cover
+    UMBRAGE_INLINE depth_writer(image_view<float> rows, int first)
+        : bottom_(reinterpret_cast<std::byte*>(rows.data)),
+          up_(rows.stride),
+          first_(first),
+          width_(rows.size.x),
           skew_(static_cast<int>(reinterpret_cast<std::uintptr_t>(bottom_) / sizeof(float) % Lanes)) {}
 
     /// The triangles of a batch.
@@ -186,19 +188,21 @@ private:
             }
     }
 
-    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const {
+        return reinterpret_cast<float*>(bottom_ + (y - first_) * up_);
+    }
 
     std::byte* bottom_;
     std::ptrdiff_t up_;
-    int width_, skew_;
+    int first_, width_, skew_;
 };
 
 template <bool Forward>
-void draw(image_view<float> depth, bool flipped, const triangles& batch) {
+void draw(image_view<float> rows, int first, const triangles& batch) {
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr isa in_use = decltype(set)::value;
         constexpr int lanes = in_use == isa::base ? 4 : in_use == isa::avx2 ? 8 : 16;
-        depth_writer<Forward, lanes>(depth, flipped).draw(batch);
+        depth_writer<Forward, lanes>(rows, first).draw(batch);
     });
 }
 

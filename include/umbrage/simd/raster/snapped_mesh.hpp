@@ -88,21 +88,24 @@ public:
     }
 
     /// The chunk in an order that keeps texels in the cache, by threads of which no two draw to the same row at once.
-    /// @param draw   (const triangles&); must not throw
-    template <class ParallelFor, class Draw>
-    void for_each_batch(ParallelFor&& parallel, const Draw& draw) {
+    /// @param target   see depth_target.hpp; to draw a batch must not throw
+    template <class ParallelFor, class Target>
+    void for_each_batch(ParallelFor&& parallel, const Target& target) {
         const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
         if (bands == 1 || is_coherent(rows)) {
-            if constexpr (is_serial<ParallelFor>) return for_each_batch(draw);
-            else return for_each_batch_under_locks(parallel, draw);
+            if constexpr (is_serial<ParallelFor>) return for_each_batch(target);
+            else return for_each_batch_under_locks(parallel, target);
         }
         sort_into_bands(rows, bands, parallel);
         parallel(bands, [&](int first, int last) {
+            Target own = target;
             for (int band = first; band < last; ++band) {
                 const texel_bounds bounds{{0, band * rows}, {size_.x, lesser((band + 1) * rows, size_.y)}};
-                in_batches(bounds, draw, [&](const auto& add) {
-                    for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
-                        add_from(lists_[i], add);
+                own.in_band({bounds.first.y, bounds.last.y}, [&](const auto& draw) {
+                    in_batches(bounds, draw, [&](const auto& add) {
+                        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
+                            add_from(lists_[i], add);
+                    });
                 });
             }
         });
@@ -170,11 +173,10 @@ private:
             draw(batch);
             batch.count = 0;
         };
-        for_each([&](const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c, unsigned triangle)
-                     UMBRAGE_INLINE {
-                         batch.add(a, b, c, triangle);
-                         if (batch.full()) finish();
-                     });
+        for_each([&](const auto& a, const auto& b, const auto& c, unsigned triangle) UMBRAGE_INLINE {
+            batch.add(a, b, c, triangle);
+            if (batch.full()) finish();
+        });
         if (batch.count > 0) finish();
     }
 
@@ -275,8 +277,7 @@ private:
         });
     }
 
-    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the chunk. Inlined for
-    /// the reason that prefetch_line() gives.
+    /// Prefetches what comes after the k-th of a list, whose triangles lie anywhere. Inlined: see prefetch_line().
     UMBRAGE_INLINE void expect(const std::vector<unsigned>& list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) prefetch_line(&mesh_.triangles[chunk_.place_of(list[k + later]).triangle]);
