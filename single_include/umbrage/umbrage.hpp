@@ -114,6 +114,15 @@ template <class To, class From>
 #endif
 }
 
+/// How long a text is, in one step where a constant is made of it.
+[[nodiscard]] constexpr std::size_t length(const char* text) {
+#if defined(__GNUC__) || defined(__clang__)
+    return __builtin_strlen(text);
+#else
+    return std::char_traits<char>::length(text);
+#endif
+}
+
 }  // namespace detail
 
 /// Sets what bad input leads to where exceptions are switched off; where they are on, nothing calls it.
@@ -124,6 +133,24 @@ inline error_handler set_error_handler(error_handler handler) {
     detail::handler = handler;
     return before;
 }
+
+}  // namespace umbrage
+
+// ---- umbrage/literal.hpp
+// Names and texts that are written down: a std::string_view, but for what it costs to compile. That one counts its
+// characters one by one, by calls that the compiler evaluates.
+//
+//     static constexpr umbrage::literal name = "rg11";
+//
+
+namespace umbrage {
+
+struct literal : std::string_view {
+    constexpr literal() = default;
+    constexpr literal(const char* text) : std::string_view(text, detail::length(text)) {}
+    constexpr literal(std::string_view text) : std::string_view(text) {}
+    constexpr literal(const std::string& text) : std::string_view(text) {}
+};
 
 }  // namespace umbrage
 
@@ -188,14 +215,14 @@ enum class hook {
 
 struct snippet;
 
-/// Snippets that lie in a list<>; a span, but for what it costs to compile.
+/// Snippets in a row: a list<>, a header's. A span, but for what it costs to compile.
 struct snippet_span {
     const snippet* const* first = nullptr;
     std::size_t size = 0;
 
     constexpr snippet_span() = default;
     template <std::size_t Size>
-    constexpr snippet_span(const std::array<const snippet*, Size>& snippets) : first(snippets.data()), size(Size) {}
+    constexpr snippet_span(const snippet* const (&snippets)[Size]) : first(snippets), size(Size) {}
     [[nodiscard]] constexpr const snippet* const* begin() const { return first; }
     [[nodiscard]] constexpr const snippet* const* end() const { return first + size; }
 };
@@ -220,8 +247,8 @@ private:
 
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
-    std::string_view name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
-    std::string_view summary{};  ///< one line
+    literal name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
+    literal summary{};  ///< one line
     tier exactness = tier::a;
     int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
     float within = 0.0f;             ///< tier c without ulp: greatest difference from the C++ twin
@@ -235,9 +262,9 @@ struct snippet {
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
 
-/// Snippets in a row: those that one needs, a header's, a room's.
+/// Those that one needs.
 template <const snippet*... Snippets>
-inline constexpr std::array<const snippet*, sizeof...(Snippets)> list{Snippets...};
+inline constexpr const snippet* list[sizeof...(Snippets)]{Snippets...};
 
 /// True when `s` compiles in dialect `v`.
 [[nodiscard]] constexpr bool supports(const snippet& s, version v) {
@@ -361,7 +388,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 )GLSL",
 };
 
-inline constexpr auto clip_space_snippets = list<&cleared_depth>;
+inline constexpr const snippet* clip_space_snippets[]{&cleared_depth};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -439,7 +466,7 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
 )GLSL",
 };
 
-inline constexpr auto scalar_snippets = list<&saturate>;
+inline constexpr const snippet* scalar_snippets[]{&saturate};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -652,7 +679,8 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto compare_snippets = list<&beyond_far, &before_far, &compare, &compare_dx_sdk, &compare_exercise>;
+inline constexpr const snippet* compare_snippets[]{&beyond_far, &before_far, &compare, &compare_dx_sdk,
+                                                   &compare_exercise};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -718,7 +746,7 @@ UMBRAGE_HIGHP float umbrage_biased(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr auto constant_snippets = list<&clamp_bias, &biased>;
+inline constexpr const snippet* constant_snippets[]{&clamp_bias, &biased};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -835,7 +863,7 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 )GLSL",
 };
 
-inline constexpr auto unorm_snippets = list<&to_unorm, &from_unorm>;
+inline constexpr const snippet* unorm_snippets[]{&to_unorm, &from_unorm};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1096,7 +1124,7 @@ UMBRAGE_HIGHP float umbrage_detachment(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP v
 )GLSL",
 };
 
-inline constexpr auto acne_free_snippets = list<&acne_free_bias, &acne_free_disc_bias, &detachment>;
+inline constexpr const snippet* acne_free_snippets[]{&acne_free_bias, &acne_free_disc_bias, &detachment};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1163,7 +1191,7 @@ UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP
 )GLSL",
 };
 
-inline constexpr auto kernel_snippets = list<&kernel_bias>;
+inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1521,7 +1549,7 @@ UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
 )GLSL",
 };
 
-inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_coordinate, &project_coordinate>;
+inline constexpr const snippet* texture_matrix_snippets[]{&shadow_coordinate, &tap_coordinate, &project_coordinate};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1660,7 +1688,7 @@ UMBRAGE_HIGHP float umbrage_world_to_depth(UMBRAGE_HIGHP float world, UMBRAGE_HI
 )GLSL",
 };
 
-inline constexpr auto light_units_snippets = list<&texels_to_world, &world_to_depth>;
+inline constexpr const snippet* light_units_snippets[]{&texels_to_world, &world_to_depth};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1740,7 +1768,7 @@ UMBRAGE_HIGHP vec3 umbrage_normal_offset(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGH
 )GLSL",
 };
 
-inline constexpr auto normal_offset_snippets = list<&normal_offset>;
+inline constexpr const snippet* normal_offset_snippets[]{&normal_offset};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1851,7 +1879,8 @@ namespace umbrage {
 /// @formula                transpose(inverse(texture_matrix))
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix) {
-    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::dmat4(texture_matrix))));
+    using wide = std::common_type_t<T, double>;  // double, known where this is called: GLM's matrices cost to compile
+    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
     detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
                     "has no finite inverse");
     return m;
@@ -1952,7 +1981,7 @@ UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr auto slope_snippets = list<&clamp_slope, &plane_slope, &slope_bias>;
+inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &slope_bias};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2071,7 +2100,7 @@ UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto receiver_plane_snippets = list<&receiver_plane, &on_receiver_plane>;
+inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane, &on_receiver_plane};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2134,8 +2163,8 @@ namespace umbrage {
 /// Clamped to [0, 1] on the way in; on the way out the texel is the depth.
 struct depth32f {
     using texel = float;
-    static constexpr std::string_view name = "depth32f";
-    static constexpr std::string_view summary = "A float texture: nothing to encode.";
+    static constexpr literal name = "depth32f";
+    static constexpr literal summary = "A float texture: nothing to encode.";
     static constexpr const glsl::snippet* writer = &glsl::saturate;
     static constexpr const glsl::snippet* reader = nullptr;
     static constexpr written writes = written::depth;
@@ -2226,8 +2255,8 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 /// The encoding as a value.
 struct float_bits {
     using texel = glm::u8vec4;
-    static constexpr std::string_view name = "float_bits";
-    static constexpr std::string_view summary = "The bit pattern of the float itself, R least significant.";
+    static constexpr literal name = "float_bits";
+    static constexpr literal summary = "The bit pattern of the float itself, R least significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
     static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
     static constexpr written writes = written::bytes;
@@ -2241,1184 +2270,6 @@ struct float_bits {
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
 };
 
-}  // namespace umbrage
-
-// ---- umbrage/depth/foreign/base255.hpp
-// The RGBA format of Aras Pranckevicius, base 255, as Cesium, Babylon.js and bgfx use it, to read and write such maps.
-//
-//     float stored = umbrage::decode_base255(umbrage::load_unorm8(texel));
-//
-// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error
-// is up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left
-// is the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out
-// of it.
-//
-
-namespace umbrage {
-
-/// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, a fault
-/// @return        UNORM values
-/// @formula       e_i = fract(255^i depth), each less 1/255 of the next
-/// @exactness     B
-/// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
-template <real T>
-[[nodiscard]] glm::vec<4, T> write_base255(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
-    const T x = v - std::floor(v);
-    const T y = v * T(255) - std::floor(v * T(255));
-    const T z = v * T(65025) - std::floor(v * T(65025));
-    const T w = v * T(16581375) - std::floor(v * T(16581375));
-    constexpr T step = T(1.0 / 255.0);
-    return {x - y * step, y - z * step, z - w * step, w};
-}
-
-/// @param c      as sampled
-/// @formula      R + G/255 + B/255^2 + A/255^3
-/// @exactness    B
-template <real T>
-[[nodiscard]] constexpr T decode_base255(glm::vec<4, T> c) {
-    return c.x + c.y * T(1.0 / 255.0) + c.z * T(1.0 / 65025.0) + c.w * T(1.0 / 16581375.0);
-}
-
-/// A writer without the faults, for decode_base255 on the other side: the digits of depth in base 255.
-/// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
-/// @exactness     B
-template <real T>
-[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T far = T(1)) {
-    T rest = saturate(depth, far) * T(255);
-    glm::u8vec4 digits(0);
-    for (glm::length_t i = 0; i < 4; ++i) {
-        const T digit = std::floor(rest);
-        digits[i] = static_cast<std::uint8_t>(digit);
-        rest = (rest - digit) * T(255);
-    }
-    return digits;
-}
-
-namespace glsl {
-
-inline constexpr snippet write_base255{
-    .name = "write_base255",
-    .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
-    .exactness = tier::b,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
-//   round: umbrage_encode_base255_repaired has neither fault
-UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
-    e = e - floor(e);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c =
-        vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
-    return c;
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_base255{
-    .name = "decode_base255",
-    .summary = "base-255 RGBA to depth",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
-        c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
-    return depth;
-}
-)GLSL",
-};
-
-inline constexpr snippet encode_base255_repaired{
-    .name = "encode_base255_repaired",
-    .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
-    .exactness = tier::b,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
-UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = umbrage_saturate(depth) * 255.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (x - floor(x)) * 255.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (y - floor(y)) * 255.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
-    return vec4(floor(x), floor(y), floor(z), floor(w));
-}
-)GLSL",
-};
-
-}  // namespace glsl
-
-/// The format as a value, faults and all; the store rounds. An empty map is cleared to what decodes to 1.
-struct base255 {
-    using texel = glm::u8vec4;
-    static constexpr std::string_view name = "base255";
-    static constexpr std::string_view summary =
-        "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
-    static constexpr const glsl::snippet* writer = &glsl::write_base255;
-    static constexpr const glsl::snippet* reader = &glsl::decode_base255;
-    static constexpr written writes = written::values;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-
-    depth_direction direction = depth_direction::forward;
-
-    /// The writer's values.
-    [[nodiscard]] auto write(float depth) const { return write_base255(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
-        const double either = store == unorm_store::rounds ? 0x1p-23 : 0x1.021p-8;
-        return {.below = either, .above = either};
-    }
-    [[nodiscard]] texel cleared() const {
-        return direction == depth_direction::forward ? texel(255, 0, 0, 0) : texel(0);
-    }
-};
-
-/// The same, written without the faults.
-struct base255_repaired {
-    using texel = glm::u8vec4;
-    static constexpr std::string_view name = "base255_repaired";
-    static constexpr std::string_view summary = "For readers of base 255, written without the fault.";
-    static constexpr const glsl::snippet* writer = &glsl::encode_base255_repaired;
-    static constexpr const glsl::snippet* reader = &glsl::decode_base255;
-    static constexpr written writes = written::bytes;
-    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
-
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth, cleared_depth(direction)); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
-        return {.below = 0x1p-23, .above = 0x1p-23};
-    }
-    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/depth/foreign/threejs.hpp
-// The depth formats of three.js, r167 and later, to read and write its maps: RGBA, RGB and RG. Writers give UNORM
-// values as three.js does; what the 8-bit store makes of the channel that holds a fraction is part of the format.
-//
-//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_rgba(depth));
-//     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm8(texel));
-//
-// Worst error of any binary32 depth, as measured by the tests:
-//
-//     format   store rounds   store truncates
-//     rgba     2^-32          2^-31.99
-//     rgb      2^-24          2^-23.99
-//     rg       2^-16.99       2^-15.99
-//
-
-namespace umbrage {
-
-/// Three whole bytes, R most significant, and the fraction that is left in A.
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed; 1 gives all ones
-/// @return        UNORM values
-/// @exactness     B
-/// @cite          three.js r167 and later, packing chunk (format)
-template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
-    if (!(v < T(1))) return glm::vec<4, T>(1);
-    const T x = v * T(16777216);
-    const T whole = std::floor(x);
-    const T high = std::floor(whole * T(1.0 / 65536.0));
-    const T rest = whole - high * T(65536);
-    const T middle = std::floor(rest * T(1.0 / 256.0));
-    return {high * T(1.0 / 255.0), middle * T(1.0 / 255.0), (rest - middle * T(256)) * T(1.0 / 255.0), x - whole};
-}
-
-/// @param c      as sampled
-/// @formula      255/256 (R + G/2^8 + B/2^16) + A/2^24
-/// @exactness    B
-template <real T>
-[[nodiscard]] constexpr T decode_threejs_rgba(glm::vec<4, T> c) {
-    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
-}
-
-/// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
-template <real T>
-[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
-    if (!(v < T(1))) return glm::vec<3, T>(1);
-    const T x = v * T(65536);
-    const T whole = std::floor(x);
-    const T high = std::floor(whole * T(1.0 / 256.0));
-    return {high * T(1.0 / 255.0), (whole - high * T(256)) * T(1.0 / 255.0), x - whole};
-}
-
-/// @formula      255/256 (R + G/2^8) + B/2^16       @exactness B
-template <real T>
-[[nodiscard]] constexpr T decode_threejs_rgb(glm::vec<3, T> c) {
-    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(1.0 / 65536.0);
-}
-
-/// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
-template <real T>
-[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
-    if (!(v < T(1))) return glm::vec<2, T>(1);
-    const T x = v * T(256);
-    const T whole = std::floor(x);
-    return {whole * T(1.0 / 255.0), x - whole};
-}
-
-/// @formula      255/256 R + G/2^8                  @exactness B
-template <real T>
-[[nodiscard]] constexpr T decode_threejs_rg(glm::vec<2, T> c) {
-    return c.x * T(255.0 / 256.0) + c.y * T(1.0 / 256.0);
-}
-
-namespace glsl {
-
-inline constexpr snippet write_threejs_rgba{
-    .name = "write_threejs_rgba",
-    .summary = "depth to three.js RGBA, r167 and later",
-    .exactness = tier::b,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
-UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    UMBRAGE_HIGHP float x = v * 16777216.0;
-    UMBRAGE_HIGHP float whole = floor(x);
-    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 65536.0));
-    UMBRAGE_HIGHP float rest = whole - high * 65536.0;
-    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    UMBRAGE_HIGHP float low = rest - middle * 256.0;
-    UMBRAGE_HIGHP vec4 c = vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
-    return v < 1.0 ? c : vec4(1.0, 1.0, 1.0, 1.0);
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_threejs_rgba{
-    .name = "decode_threejs_rgba",
-    .summary = "three.js RGBA, r167 and later, to depth",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) +
-                                                c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
-    return depth;
-}
-)GLSL",
-};
-
-inline constexpr snippet write_threejs_rgb{
-    .name = "write_threejs_rgb",
-    .summary = "depth to three.js RGB, r167 and later",
-    .exactness = tier::b,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
-UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    UMBRAGE_HIGHP float x = v * 65536.0;
-    UMBRAGE_HIGHP float whole = floor(x);
-    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec3 c = vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
-    return v < 1.0 ? c : vec3(1.0, 1.0, 1.0);
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_threejs_rgb{
-    .name = "decode_threejs_rgb",
-    .summary = "three.js RGB, r167 and later, to depth",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
-        c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
-    return depth;
-}
-)GLSL",
-};
-
-inline constexpr snippet write_threejs_rg{
-    .name = "write_threejs_rg",
-    .summary = "depth to three.js RG, r167 and later",
-    .exactness = tier::b,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
-UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    UMBRAGE_HIGHP float x = v * 256.0;
-    UMBRAGE_HIGHP float whole = floor(x);
-    return v < 1.0 ? vec2(whole * 0.00392156886, x - whole) : vec2(1.0, 1.0);
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_threejs_rg{
-    .name = "decode_threejs_rg",
-    .summary = "three.js RG, r167 and later, to depth",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
-    return depth;
-}
-)GLSL",
-};
-
-}  // namespace glsl
-
-// The formats as values; the store rounds.
-
-/// RGBA, r167 and later.
-struct threejs_rgba {
-    using texel = glm::u8vec4;
-    static constexpr std::string_view name = "threejs_rgba";
-    static constexpr std::string_view summary = "RGBA of three.js since r167: three whole bytes and the rest.";
-    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
-    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
-    static constexpr written writes = written::values;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-
-    depth_direction direction = depth_direction::forward;
-
-    /// The writer's values.
-    [[nodiscard]] auto write(float depth) const { return write_threejs_rgba(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
-        const double either = store == unorm_store::rounds ? 0x1p-32 : 0x1p-32 * 256 / 255;
-        return {.below = either, .above = either};
-    }
-    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
-};
-
-/// RGB, r167 and later.
-struct threejs_rgb {
-    using texel = glm::u8vec3;
-    static constexpr std::string_view name = "threejs_rgb";
-    static constexpr std::string_view summary = "RGB of three.js since r167: two whole bytes and the rest.";
-    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
-    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
-    static constexpr written writes = written::values;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
-
-    depth_direction direction = depth_direction::forward;
-
-    /// The writer's values.
-    [[nodiscard]] auto write(float depth) const { return write_threejs_rgb(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
-        const double either = store == unorm_store::rounds ? 0x1p-24 : 0x1p-24 * 256 / 255;
-        return {.below = either, .above = either};
-    }
-    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
-};
-
-/// RG, r167 and later.
-struct threejs_rg {
-    using texel = glm::u8vec2;
-    static constexpr std::string_view name = "threejs_rg";
-    static constexpr std::string_view summary = "RG of three.js since r167: one whole byte and the rest.";
-    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
-    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
-    static constexpr written writes = written::values;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
-
-    depth_direction direction = depth_direction::forward;
-
-    /// The writer's values.
-    [[nodiscard]] auto write(float depth) const { return write_threejs_rg(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
-        const double either = store == unorm_store::rounds ? 0x1.02p-17 : 0x1p-16 * 256 / 255;
-        return {.below = either, .above = either};
-    }
-    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/depth/foreign/threejs_legacy.hpp
-// The RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. What the
-// 8-bit store makes of the channel that holds a fraction is part of the format.
-//
-//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_legacy(depth));
-//     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm8(texel));
-//
-// Worst error of any binary32 depth, and the faults, as measured by the tests:
-//
-//     format             store rounds     store truncates   faults
-//     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below depths that come before it
-//     legacy, repaired   2^-24            2^-24             none
-//
-
-namespace umbrage {
-
-/// The layout of r73 to r166: A most significant, channels scaled by 256/255.
-/// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
-/// @exactness     B
-/// @cite          three.js r73 to r166, packing chunk (format)
-template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
-    const T x = v * T(16777216) - std::floor(v * T(16777216));
-    const T y = v * T(65536) - std::floor(v * T(65536));
-    const T z = v * T(256) - std::floor(v * T(256));
-    return {x * T(256.0 / 255.0), (y - x * T(1.0 / 256.0)) * T(256.0 / 255.0),
-            (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0), (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
-}
-
-/// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)   @exactness B
-template <real T>
-[[nodiscard]] constexpr T decode_threejs_legacy(glm::vec<4, T> c) {
-    return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) +
-           c.w * T(255.0 / 256.0);
-}
-
-/// A writer without the fault, for decode_threejs_legacy on the other side: 24 bits, and 1 decodes to 1.
-/// @return        integer channels 0..255 (to_unorm writes them), A most significant
-/// @exactness     A
-template <real T>
-[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
-    if (!(v < T(1))) return glm::u8vec4(255);
-    const std::uint32_t x = to_code<24>(v);
-    return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
-            static_cast<std::uint8_t>(x >> 16)};
-}
-
-namespace glsl {
-
-inline constexpr snippet write_threejs_legacy{
-    .name = "write_threejs_legacy",
-    .summary = "depth to three.js RGBA, r73 to r166",
-    .exactness = tier::b,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
-//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
-UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    UMBRAGE_HIGHP float x = v * 16777216.0 - floor(v * 16777216.0);
-    UMBRAGE_HIGHP float y = v * 65536.0 - floor(v * 65536.0);
-    UMBRAGE_HIGHP float z = v * 256.0 - floor(v * 256.0);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = vec4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
-    return c * 1.00392163;
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_threejs_legacy{
-    .name = "decode_threejs_legacy",
-    .summary = "three.js RGBA, r73 to r166, to depth",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) +
-                                                c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
-    return depth;
-}
-)GLSL",
-};
-
-inline constexpr snippet encode_threejs_legacy_repaired{
-    .name = "encode_threejs_legacy_repaired",
-    .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
-    .exactness = tier::a,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
-UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    UMBRAGE_HIGHP float x = floor(v * 16777216.0);
-    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
-    UMBRAGE_HIGHP float rest = x - high * 65536.0;
-    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
-}
-)GLSL",
-};
-
-}  // namespace glsl
-
-// The formats as values; the store rounds.
-
-/// RGBA, r73 to r166, fault and all: 1 decodes to 255/256. An empty map is cleared to what decodes to 1.
-struct threejs_legacy {
-    using texel = glm::u8vec4;
-    static constexpr std::string_view name = "threejs_legacy";
-    static constexpr std::string_view summary =
-        "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
-    static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
-    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
-    static constexpr written writes = written::values;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-
-    depth_direction direction = depth_direction::forward;
-
-    /// The writer's values.
-    [[nodiscard]] auto write(float depth) const { return write_threejs_legacy(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
-        return {.below = 0x1p-32, .above = 0x1p-32};
-    }
-    [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255) : texel(0); }
-};
-
-/// RGBA for readers of r73 to r166, written without the fault.
-struct threejs_legacy_repaired {
-    using texel = glm::u8vec4;
-    static constexpr std::string_view name = "threejs_legacy_repaired";
-    static constexpr std::string_view summary = "For readers of three.js r73 to r166, written without the fault.";
-    static constexpr const glsl::snippet* writer = &glsl::encode_threejs_legacy_repaired;
-    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
-    static constexpr written writes = written::bytes;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
-
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] texel encode(float depth) const {
-        return encode_threejs_legacy_repaired(depth, cleared_depth(direction));
-    }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
-        return {.below = 0x1p-24, .above = 0x1p-24};
-    }
-    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/image.hpp
-// Images: a view over anybody's pixels, an owner, and the two ways to fetch a texel.
-//
-//     umbrage::image<float> map({1024, 1024}, 1.0f);
-//     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
-//     float depth = umbrage::clamped(foreign)(glm::ivec2(-1, 5));  // the texel at (0, 5)
-//
-
-namespace umbrage {
-
-/// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
-/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
-/// zero in its size.
-template <class T>
-struct image_view {
-    T* data = nullptr;
-    glm::ivec2 size{0, 0};
-    std::ptrdiff_t stride = 0;  ///< in bytes
-
-    constexpr image_view() = default;
-
-    /// Rows that follow each other without a gap.
-    constexpr image_view(T* pixels, glm::ivec2 extent)
-        : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
-
-    /// @throws std::invalid_argument  negative size; pixels missing; stride shorter than a row
-    ///                                or not a multiple of the alignment of T
-    constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
-        : data(pixels), size(extent), stride(stride_bytes) {
-        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
-        if (empty()) return;
-        const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
-        const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
-        if (!pixels) detail::fail("umbrage::image_view: no pixels");
-        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
-        if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
-            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
-    }
-
-    /// A view that may write is also a view that may read.
-    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
-
-    [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
-
-    /// First texel of row y, 0 <= y < size.y.
-    [[nodiscard]] T* row(int y) const {
-        assert(y >= 0 && y < size.y);
-        using byte = std::conditional_t<std::is_const_v<T>, const std::byte, std::byte>;
-        return reinterpret_cast<T*>(reinterpret_cast<byte*>(data) + y * stride);
-    }
-
-    /// Texel inside the image.
-    [[nodiscard]] T& operator[](glm::ivec2 texel) const {
-        assert(texel.x >= 0 && texel.x < size.x);
-        return row(texel.y)[texel.x];
-    }
-
-    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
-    /// @throws std::invalid_argument  not inside the image
-    [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
-        const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
-                            extent.x <= size.x - first.x && extent.y <= size.y - first.y;
-        if (!inside) detail::fail("umbrage::image_view: region is not inside the image");
-        const bool none = extent.x == 0 || extent.y == 0;
-        return {none ? data : row(first.y) + first.x, extent, stride};
-    }
-
-    /// Rows first <= y < last as a view of their own: the unit of work for a thread.
-    [[nodiscard]] image_view rows(int first, int last) const {
-        assert(0 <= first && first <= last && last <= size.y);
-        return {first < last ? row(first) : data, {size.x, last - first}, stride};
-    }
-};
-
-namespace detail {
-
-/// Aligns memory to cache lines, so that no block of pixels straddles two without need.
-template <class T>
-struct line_allocator {
-    using value_type = T;
-    static constexpr std::align_val_t line{64};
-
-    line_allocator() = default;
-    template <class Other>
-    line_allocator(const line_allocator<Other>&) {}
-    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
-    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
-    bool operator==(const line_allocator&) const = default;
-};
-
-}  // namespace detail
-
-/// Pixels of our own, without gaps between rows.
-template <class T>
-class image {
-public:
-    image() = default;
-
-    /// @throws std::invalid_argument  negative size
-    explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
-        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
-        texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
-    }
-
-    [[nodiscard]] glm::ivec2 size() const { return size_; }
-    [[nodiscard]] bool empty() const { return texels_.empty(); }
-    [[nodiscard]] std::span<T> texels() & { return texels_; }
-    [[nodiscard]] std::span<const T> texels() const& { return texels_; }
-    void texels() && = delete;  ///< of a temporary: they would dangle
-
-    [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
-    [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
-
-    [[nodiscard]] image_view<T> view() { return {texels_.data(), size_}; }
-    [[nodiscard]] image_view<const T> view() const { return {texels_.data(), size_}; }
-    operator image_view<T>() { return view(); }
-    operator image_view<const T>() const { return view(); }
-
-private:
-    static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to view: use std::uint8_t");
-    glm::ivec2 size_{0, 0};
-    std::vector<T, detail::line_allocator<T>> texels_;
-};
-
-namespace detail {
-
-/// What functions over images take: an image, or a view of one.
-template <class T>
-[[nodiscard]] image_view<T> view_of(image_view<T> view) {
-    return view;
-}
-template <class T>
-[[nodiscard]] image_view<T> view_of(image<T>& of) {
-    return of;
-}
-template <class T>
-[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
-    return of;
-}
-template <class T>
-inline constexpr bool is_image = false;
-template <class T>
-inline constexpr bool is_image<image<T>> = true;
-template <class... Any>
-concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
-
-}  // namespace detail
-
-/// Texel inside the map.
-/// @exactness   A
-template <class T>
-[[nodiscard]] std::remove_const_t<T> texel(image_view<T> map, glm::ivec2 at) {
-    return map[at];
-}
-
-/// @param size    of a map, in texels
-/// @exactness     A
-[[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
-    return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
-}
-
-/// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
-/// @exactness   A
-template <class T>
-[[nodiscard]] std::remove_const_t<T> fetch_clamped(image_view<T> map, glm::ivec2 texel) {
-    assert(!map.empty());
-    const int x = texel.x < 0 ? 0 : (texel.x < map.size.x ? texel.x : map.size.x - 1);
-    const int y = texel.y < 0 ? 0 : (texel.y < map.size.y ? texel.y : map.size.y - 1);
-    return map.row(y)[x];
-}
-
-/// Texel of the map, or `border` outside of it. An empty map is all border.
-/// @exactness   A
-template <class T>
-[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
-                                                    std::remove_const_t<T> border) {
-    return inside_map(map.size, texel) ? map.row(texel.y)[texel.x] : border;
-}
-
-/// fetch_clamped as the callable that filters take.
-/// @throws std::invalid_argument  empty map
-template <class T>
-[[nodiscard]] auto clamped(image_view<T> map) {
-    if (map.empty()) detail::fail("umbrage::clamped: empty map");
-    return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
-}
-template <class T>
-[[nodiscard]] auto clamped(const image<T>& map) {
-    return clamped(map.view());
-}
-
-/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
-/// lit.
-template <class T>
-[[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
-    return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
-}
-template <class T>
-[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
-    return bordered(map.view(), border);
-}
-
-namespace glsl {
-
-inline constexpr snippet texel{
-    .name = "texel",
-    .summary = "texel inside a map",
-    .exactness = tier::a,
-    .role = hook::texel,
-    .source = R"GLSL(
-// umbrage_texel: value of a texel inside the map
-//   map    2D sampler; before GLSL 1.30 its filter must be nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
-#ifndef UMBRAGE_MAP
-#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
-#endif
-UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-#if __VERSION__ >= 130
-    return texelFetch(map, ivec2(texel), 0);
-#else
-    return texture2D(map, (texel + 0.5) / size);
-#endif
-}
-)GLSL",
-};
-
-inline constexpr snippet inside_map{
-    .name = "inside_map",
-    .summary = "whether a texel is one of the map's",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_inside_map: whether a texel is one of a map's of size texels
-bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
-}
-)GLSL",
-};
-
-inline constexpr snippet fetch_clamped{
-    .name = "fetch_clamped",
-    .summary = "texel of a map, outside the nearest one inside",
-    .exactness = tier::a,
-    .needs = list<&texel>,
-    .source = R"GLSL(
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
-UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
-}
-)GLSL",
-};
-
-inline constexpr snippet fetch_bordered{
-    .name = "fetch_bordered",
-    .summary = "texel of a map, outside a border value",
-    .exactness = tier::a,
-    .needs = list<&fetch_clamped, &inside_map>,
-    .source = R"GLSL(
-// umbrage_fetch_bordered: texel of a map, or border outside of it
-UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                          UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
-}
-)GLSL",
-};
-
-inline constexpr auto image_snippets = list<&texel, &inside_map, &fetch_clamped, &fetch_bordered>;
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/depth/rg.hpp
-// Depth in two 8-bit channels, 9 to 16 bits: the layout of the Radeon 8500 shadow map sample and its family.
-// x has Bits = 8 + M bits:  R = low byte,  G = high bits, moved to the top of their byte,  value = R / 2^M + G.
-// Bits = 11 is the sample's own; Bits = 16 is plain two-byte depth.
-//
-//     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
-//     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
-//
-
-namespace umbrage {
-
-/// Depth to channels.
-///
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
-/// @return        integer channels 0..255; to_unorm makes them what a shader writes
-/// @formula       x = min(floor(depth 2^Bits), 2^Bits - 1);  R = x mod 256, G = floor(x / 256) 2^(16 - Bits)
-/// @exactness     A
-/// @cite          ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
-template <int Bits, real T>
-[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth, T far = T(1)) {
-    static_assert(Bits >= 9 && Bits <= 16);
-    const std::uint32_t x = to_code<Bits>(depth, far);
-    return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
-}
-
-/// Values read from an 8-bit texture to depth.
-///
-/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, centre or upper_edge of the code's interval
-/// @return        depth; channels that no encoder wrote give the formula's value all the same, below 3/2
-/// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
-/// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the centre
-template <int Bits, real T>
-[[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
-    static_assert(Bits >= 9 && Bits <= 16);
-    const glm::vec<2, T> k = from_unorm(c);
-    return from_code<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
-}
-
-/// Bytes to depth.
-template <int Bits, real T>
-[[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
-    static_assert(Bits >= 9 && Bits <= 16);
-    return from_code<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
-}
-
-namespace glsl {
-
-template <int Bits>
-inline constexpr detail::short_name encode_rg_name("encode_rg$b", {{'b', Bits}});
-template <int Bits>
-[[nodiscard]] std::string encode_rg_text() {
-    return detail::filled(R"GLSL(
-// umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
-UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
-    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
-    return vec2(x - high * 256.0, high * $s.0);
-}
-)GLSL",
-                          {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
-}
-template <int Bits>
-inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
-                                   .summary = "depth to two channels, R the low byte",
-                                   .exactness = tier::a,
-                                   .needs = list<&saturate>,
-                                   .source = encode_rg_text<Bits>};
-
-template <int Bits>
-inline constexpr detail::short_name decode_rg_name("decode_rg$b", {{'b', Bits}});
-template <int Bits>
-[[nodiscard]] std::string decode_rg_text() {
-    return detail::filled(R"GLSL(
-// umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
-UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
-    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
-    return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
-}
-)GLSL",
-                          {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
-}
-template <int Bits>
-inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
-                                   .summary = "two channels, R the low byte, to depth",
-                                   .exactness = tier::a,
-                                   .needs = list<&from_unorm>,
-                                   .source = decode_rg_text<Bits>};
-
-}  // namespace glsl
-
-/// The encoding as a value.
-template <int Bits>
-struct rg {
-    using texel = glm::u8vec2;
-    static constexpr glsl::detail::short_name name_text{"rg$b", {{'b', Bits}}};
-    static constexpr std::string_view name = name_text.view();
-    static constexpr std::string_view summary = "Two channels: R the low byte, G the rest in its high bits.";
-    static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
-    static constexpr const glsl::snippet* reader = &glsl::decode_rg<Bits>;
-    static constexpr written writes = written::bytes;
-    static constexpr int bits = Bits;
-    static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
-
-    depth_direction direction = depth_direction::forward;
-    float edge = detail::safe_edge(direction);  ///< that decoding answers
-
-    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth, cleared_depth(direction)); }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(Bits, edge); }
-    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/depth/rgb24.hpp
-// Depth in three 8-bit channels, 24 bits, R most significant.
-//
-//     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
-//     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
-//
-
-namespace umbrage {
-
-/// Depth to channels.
-///
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
-/// @return        integer channels 0..255, R most significant
-/// @formula       the bytes of min(floor(depth 2^24), 2^24 - 1)
-/// @exactness     A
-template <real T>
-[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth, T far = T(1)) {
-    const std::uint32_t x = to_code<24>(depth, far);
-    return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
-            static_cast<std::uint8_t>(x & 0xFF)};
-}
-
-/// Values read from an 8-bit texture to depth.
-///
-/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge; the centre is exact in double only
-/// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
-/// @exactness     A;  |depth - decoded| <= 2^-24
-template <real T>
-[[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge) {
-    const glm::vec<3, T> k = from_unorm(c);
-    return from_code<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
-}
-
-/// Bytes to depth.
-template <real T>
-[[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
-    return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
-}
-
-namespace glsl {
-
-inline constexpr snippet encode_rgb24{
-    .name = "encode_rgb24",
-    .summary = "depth to three channels, R most significant",
-    .exactness = tier::a,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
-//   depth   clamped to [0, 1], NaN counts as far
-UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
-    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
-    UMBRAGE_HIGHP float rest = x - high * 65536.0;
-    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec3(high, middle, rest - middle * 256.0);
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_rgb24{
-    .name = "decode_rgb24",
-    .summary = "three channels, R most significant, to depth",
-    .exactness = tier::a,
-    .needs = list<&from_unorm>,
-    .source = R"GLSL(
-// umbrage_decode_rgb24: three channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
-UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
-    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
-    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
-}
-)GLSL",
-};
-
-}  // namespace glsl
-
-/// The encoding as a value.
-struct rgb24 {
-    using texel = glm::u8vec3;
-    static constexpr std::string_view name = "rgb24";
-    static constexpr std::string_view summary = "Three channels, R most significant.";
-    static constexpr const glsl::snippet* writer = &glsl::encode_rgb24;
-    static constexpr const glsl::snippet* reader = &glsl::decode_rgb24;
-    static constexpr written writes = written::bytes;
-    static constexpr int bits = 24;
-    static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
-
-    depth_direction direction = depth_direction::forward;
-    float edge = detail::safe_edge(direction);  ///< that decoding answers; the centre rounds from code 2^23 on
-
-    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth, cleared_depth(direction)); }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
-    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/list.hpp
-// A list of types whose values know their names: what tools, tables and tests walk.
-//
-//     using encodings = umbrage::list_of<depth32f, rg<9>>;
-//     encodings::for_each([](auto encoding) { std::puts(encoding.name.data()); });
-//
-
-namespace umbrage {
-
-/// std::tuple's cheap sister: it is never made, so that a file that does not walk it pays nothing.
-template <class... Values>
-struct list_of {
-    static constexpr std::size_t size = sizeof...(Values);
-
-    /// Calls use(value) with a value of each, or with each of its `values`, one after the other.
-    template <class Use>
-    static constexpr void for_each(Use&& use) {
-        (each<Values>(use), ...);
-    }
-
-    /// Calls use(value) with the one of that name.
-    /// @return   false where none is called so
-    template <class Use>
-    static constexpr bool with(std::string_view name, Use&& use) {
-        bool found = false;
-        for_each([&](const auto& value) {
-            if (found || value.name != name) return;
-            found = true;
-            static_cast<void>(use(value));
-        });
-        return found;
-    }
-
-private:
-    template <class Value, class Use>
-    static constexpr void each(Use& use) {
-        if constexpr (requires { Value::values; })
-            for (const Value& value : Value::values) use(value);
-        else use(Value{});
-    }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/depth/encodings.hpp
-// Every encoding of the library, in one list: what tools, tables, proofs and examples walk.
-//
-//     umbrage::for_each_encoding([](auto encoding) { std::puts(encoding.name.data()); });
-//     bool found = umbrage::with_encoding("rg11", [&](auto encoding) { umbrage::encode(depth, map, encoding); });
-//
-
-namespace umbrage {
-
-using encodings =
-    list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits, threejs_rgba,
-            threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
-
-/// Calls use(encoding) for one after the other.
-template <class Use>
-constexpr void for_each_encoding(Use&& use) {
-    encodings::for_each(use);
-}
-
-/// Calls use(encoding) with the one of that name.
-/// @return   false where none is called so
-template <class Use>
-constexpr bool with_encoding(std::string_view name, Use&& use) {
-    return encodings::with(name, use);
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/depth/foreign/ps14.hpp
-// The Radeon 8500's own way to unpack 11 bits: r / 8 + g on the channels as sampled. Its values are x / 2040, not
-// x / 2048, so the receiver it is compared with must be scaled by 256 / 255 too.
-//
-//     bool lit = umbrage::receiver_ps14(depth) <= umbrage::decode_ps14(sampled);
-//
-
-namespace umbrage {
-
-/// @param c      the two channels of encode_rg<11> as sampled, k / 255
-/// @return       x / 2040, in [0, 2047 / 2040]
-/// @formula      r / 8 + g
-/// @exactness    B: one rounded addition
-/// @cite         ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
-template <real T>
-[[nodiscard]] constexpr T decode_ps14(glm::vec<2, T> c) {
-    return c.x * T(0.125) + c.y;
-}
-
-/// A depth on the scale of decode_ps14, for less_equal_scaled.
-/// @param depth   not clamped; beyond the far plane: -1, which every texel lights
-/// @formula       depth > 1 ? -1 : depth * 256 / 255
-/// @exactness     B: one product with the rounded quotient
-template <real T>
-[[nodiscard]] constexpr T receiver_ps14(T depth) {
-    return less_equal::beyond_far(depth) ? T(-1) : depth * T(256.0 / 255.0);
-}
-
-namespace glsl {
-
-inline constexpr snippet decode_ps14{
-    .name = "decode_ps14",
-    .summary = "r / 8 + g as the Radeon 8500 computed it",
-    .exactness = tier::b,
-    .scaled = true,
-    .source = R"GLSL(
-// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
-//   1.0 is not the far plane on this scale
-UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
-    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
-}
-)GLSL",
-};
-
-inline constexpr snippet receiver_ps14{
-    .name = "receiver_ps14",
-    .summary = "receiver on the scale of decode_ps14",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
-//   lights
-UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
-    return depth > 1.0 ? -1.0 : depth * 1.00392163;
-}
-)GLSL",
-};
-
-inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
-
-}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/depth/kinds.hpp
@@ -3702,12 +2553,400 @@ UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z
 )GLSL",
 };
 
-inline constexpr auto kinds_snippets =
+inline constexpr const auto& kinds_snippets =
     list<&linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
          &depth_from_view_z, &view_z_from_reversed_depth, &reversed_depth_from_view_z, &view_z_from_orthographic_depth,
          &orthographic_depth_from_view_z>;
 
 }  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/image.hpp
+// Images: a view over anybody's pixels, an owner, and the two ways to fetch a texel.
+//
+//     umbrage::image<float> map({1024, 1024}, 1.0f);
+//     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
+//     float depth = umbrage::clamped(foreign)(glm::ivec2(-1, 5));  // the texel at (0, 5)
+//
+
+namespace umbrage {
+
+/// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
+/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
+/// zero in its size.
+template <class T>
+struct image_view {
+    T* data = nullptr;
+    glm::ivec2 size{0, 0};
+    std::ptrdiff_t stride = 0;  ///< in bytes
+
+    constexpr image_view() = default;
+
+    /// Rows that follow each other without a gap.
+    constexpr image_view(T* pixels, glm::ivec2 extent)
+        : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
+
+    /// @throws std::invalid_argument  negative size; pixels missing; stride shorter than a row
+    ///                                or not a multiple of the alignment of T
+    constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
+        : data(pixels), size(extent), stride(stride_bytes) {
+        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
+        if (empty()) return;
+        const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
+        const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
+        if (!pixels) detail::fail("umbrage::image_view: no pixels");
+        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
+        if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
+            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
+    }
+
+    /// A view that may write is also a view that may read.
+    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
+
+    [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
+
+    /// First texel of row y, 0 <= y < size.y.
+    [[nodiscard]] T* row(int y) const {
+        assert(y >= 0 && y < size.y);
+        using byte = std::conditional_t<std::is_const_v<T>, const std::byte, std::byte>;
+        return reinterpret_cast<T*>(reinterpret_cast<byte*>(data) + y * stride);
+    }
+
+    /// Texel inside the image.
+    [[nodiscard]] T& operator[](glm::ivec2 texel) const {
+        assert(texel.x >= 0 && texel.x < size.x);
+        return row(texel.y)[texel.x];
+    }
+
+    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
+    /// @throws std::invalid_argument  not inside the image
+    [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
+        const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
+                            extent.x <= size.x - first.x && extent.y <= size.y - first.y;
+        if (!inside) detail::fail("umbrage::image_view: region is not inside the image");
+        const bool none = extent.x == 0 || extent.y == 0;
+        return {none ? data : row(first.y) + first.x, extent, stride};
+    }
+
+    /// Rows first <= y < last as a view of their own: the unit of work for a thread.
+    [[nodiscard]] image_view rows(int first, int last) const {
+        assert(0 <= first && first <= last && last <= size.y);
+        return {first < last ? row(first) : data, {size.x, last - first}, stride};
+    }
+};
+
+namespace detail {
+
+/// Aligns memory to cache lines, so that no block of pixels straddles two without need.
+template <class T>
+struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class Other>
+    line_allocator(const line_allocator<Other>&) {}
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
+    bool operator==(const line_allocator&) const = default;
+};
+
+}  // namespace detail
+
+/// Pixels of our own, without gaps between rows.
+template <class T>
+class image {
+public:
+    image() = default;
+
+    /// @throws std::invalid_argument  negative size
+    explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
+        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
+        texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
+    }
+
+    [[nodiscard]] glm::ivec2 size() const { return size_; }
+    [[nodiscard]] bool empty() const { return texels_.empty(); }
+    [[nodiscard]] std::span<T> texels() & { return texels_; }
+    [[nodiscard]] std::span<const T> texels() const& { return texels_; }
+    void texels() && = delete;  ///< of a temporary: they would dangle
+
+    [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
+    [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
+
+    [[nodiscard]] image_view<T> view() { return {texels_.data(), size_}; }
+    [[nodiscard]] image_view<const T> view() const { return {texels_.data(), size_}; }
+    operator image_view<T>() { return view(); }
+    operator image_view<const T>() const { return view(); }
+
+private:
+    static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to view: use std::uint8_t");
+    glm::ivec2 size_{0, 0};
+    std::vector<T, detail::line_allocator<T>> texels_;
+};
+
+namespace detail {
+
+/// What functions over images take: an image, or a view of one.
+template <class T>
+[[nodiscard]] image_view<T> view_of(image_view<T> view) {
+    return view;
+}
+template <class T>
+[[nodiscard]] image_view<T> view_of(image<T>& of) {
+    return of;
+}
+template <class T>
+[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
+    return of;
+}
+template <class T>
+inline constexpr bool is_image = false;
+template <class T>
+inline constexpr bool is_image<image<T>> = true;
+template <class... Any>
+concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
+
+}  // namespace detail
+
+/// Texel inside the map.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> texel(image_view<T> map, glm::ivec2 at) {
+    return map[at];
+}
+
+/// @param size    of a map, in texels
+/// @exactness     A
+[[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
+}
+
+/// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> fetch_clamped(image_view<T> map, glm::ivec2 texel) {
+    assert(!map.empty());
+    const int x = texel.x < 0 ? 0 : (texel.x < map.size.x ? texel.x : map.size.x - 1);
+    const int y = texel.y < 0 ? 0 : (texel.y < map.size.y ? texel.y : map.size.y - 1);
+    return map.row(y)[x];
+}
+
+/// Texel of the map, or `border` outside of it. An empty map is all border.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
+                                                    std::remove_const_t<T> border) {
+    return inside_map(map.size, texel) ? map.row(texel.y)[texel.x] : border;
+}
+
+/// fetch_clamped as the callable that filters take.
+/// @throws std::invalid_argument  empty map
+template <class T>
+[[nodiscard]] auto clamped(image_view<T> map) {
+    if (map.empty()) detail::fail("umbrage::clamped: empty map");
+    return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
+}
+template <class T>
+[[nodiscard]] auto clamped(const image<T>& map) {
+    return clamped(map.view());
+}
+
+/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
+/// lit.
+template <class T>
+[[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
+    return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
+}
+template <class T>
+[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
+    return bordered(map.view(), border);
+}
+
+namespace glsl {
+
+inline constexpr snippet texel{
+    .name = "texel",
+    .summary = "texel inside a map",
+    .exactness = tier::a,
+    .role = hook::texel,
+    .source = R"GLSL(
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+)GLSL",
+};
+
+inline constexpr snippet inside_map{
+    .name = "inside_map",
+    .summary = "whether a texel is one of the map's",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+)GLSL",
+};
+
+inline constexpr snippet fetch_clamped{
+    .name = "fetch_clamped",
+    .summary = "texel of a map, outside the nearest one inside",
+    .exactness = tier::a,
+    .needs = list<&texel>,
+    .source = R"GLSL(
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+)GLSL",
+};
+
+inline constexpr snippet fetch_bordered{
+    .name = "fetch_bordered",
+    .summary = "texel of a map, outside a border value",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped, &inside_map>,
+    .source = R"GLSL(
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* image_snippets[]{&texel, &inside_map, &fetch_clamped, &fetch_bordered};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/depth/rg.hpp
+// Depth in two 8-bit channels, 9 to 16 bits: the layout of the Radeon 8500 shadow map sample and its family.
+// x has Bits = 8 + M bits:  R = low byte,  G = high bits, moved to the top of their byte,  value = R / 2^M + G.
+// Bits = 11 is the sample's own; Bits = 16 is plain two-byte depth.
+//
+//     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
+//     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
+//
+
+namespace umbrage {
+
+/// Depth to channels.
+///
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
+/// @return        integer channels 0..255; to_unorm makes them what a shader writes
+/// @formula       x = min(floor(depth 2^Bits), 2^Bits - 1);  R = x mod 256, G = floor(x / 256) 2^(16 - Bits)
+/// @exactness     A
+/// @cite          ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
+template <int Bits, real T>
+[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth, T far = T(1)) {
+    static_assert(Bits >= 9 && Bits <= 16);
+    const std::uint32_t x = to_code<Bits>(depth, far);
+    return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
+}
+
+/// Values read from an 8-bit texture to depth.
+///
+/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
+/// @param edge    lower_edge, centre or upper_edge of the code's interval
+/// @return        depth; channels that no encoder wrote give the formula's value all the same, below 3/2
+/// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
+/// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the centre
+template <int Bits, real T>
+[[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
+    static_assert(Bits >= 9 && Bits <= 16);
+    const glm::vec<2, T> k = from_unorm(c);
+    return from_code<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
+}
+
+/// Bytes to depth.
+template <int Bits, real T>
+[[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
+    static_assert(Bits >= 9 && Bits <= 16);
+    return from_code<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
+}
+
+namespace glsl {
+
+template <int Bits>
+inline constexpr detail::short_name encode_rg_name("encode_rg$b", {{'b', Bits}});
+template <int Bits>
+[[nodiscard]] std::string encode_rg_text() {
+    return detail::filled(R"GLSL(
+// umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * $s.0);
+}
+)GLSL",
+                          {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
+}
+template <int Bits>
+inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
+                                   .summary = "depth to two channels, R the low byte",
+                                   .exactness = tier::a,
+                                   .needs = list<&saturate>,
+                                   .source = encode_rg_text<Bits>};
+
+template <int Bits>
+inline constexpr detail::short_name decode_rg_name("decode_rg$b", {{'b', Bits}});
+template <int Bits>
+[[nodiscard]] std::string decode_rg_text() {
+    return detail::filled(R"GLSL(
+// umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
+}
+)GLSL",
+                          {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
+}
+template <int Bits>
+inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
+                                   .summary = "two channels, R the low byte, to depth",
+                                   .exactness = tier::a,
+                                   .needs = list<&from_unorm>,
+                                   .source = decode_rg_text<Bits>};
+
+}  // namespace glsl
+
+/// The encoding as a value.
+template <int Bits>
+struct rg {
+    using texel = glm::u8vec2;
+    static constexpr glsl::detail::short_name name_text{"rg$b", {{'b', Bits}}};
+    static constexpr literal name = name_text.view();
+    static constexpr literal summary = "Two channels: R the low byte, G the rest in its high bits.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
+    static constexpr const glsl::snippet* reader = &glsl::decode_rg<Bits>;
+    static constexpr written writes = written::bytes;
+    static constexpr int bits = Bits;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
+
+    depth_direction direction = depth_direction::forward;
+    float edge = detail::safe_edge(direction);  ///< that decoding answers
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(Bits, edge); }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage
 
 // ---- umbrage/depth/rg_level.hpp
@@ -3789,7 +3028,7 @@ inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
 
 /// Of the members named: texts are filled in where they are asked for.
 template <int... Bits>
-inline constexpr auto rg_level_snippets = list<&level_rg<Bits>..., &receiver_rg<Bits>...>;
+inline constexpr const snippet* rg_level_snippets[]{&level_rg<Bits>..., &receiver_rg<Bits>...};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -3869,9 +3108,108 @@ inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view
 
 /// Of the members named: texts are filled in where they are asked for.
 template <int... Bits>
-inline constexpr auto rg_table_snippets = list<&encode_rg_table<Bits>...>;
+inline constexpr const snippet* rg_table_snippets[]{&encode_rg_table<Bits>...};
 
 }  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/depth/rgb24.hpp
+// Depth in three 8-bit channels, 24 bits, R most significant.
+//
+//     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
+//     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
+//
+
+namespace umbrage {
+
+/// Depth to channels.
+///
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
+/// @return        integer channels 0..255, R most significant
+/// @formula       the bytes of min(floor(depth 2^24), 2^24 - 1)
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth, T far = T(1)) {
+    const std::uint32_t x = to_code<24>(depth, far);
+    return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
+            static_cast<std::uint8_t>(x & 0xFF)};
+}
+
+/// Values read from an 8-bit texture to depth.
+///
+/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
+/// @param edge    lower_edge or upper_edge; the centre is exact in double only
+/// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
+/// @exactness     A;  |depth - decoded| <= 2^-24
+template <real T>
+[[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge) {
+    const glm::vec<3, T> k = from_unorm(c);
+    return from_code<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
+}
+
+/// Bytes to depth.
+template <real T>
+[[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
+    return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_rgb24{
+    .name = "encode_rgb24",
+    .summary = "depth to three channels, R most significant",
+    .exactness = tier::a,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return vec3(high, middle, rest - middle * 256.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_rgb24{
+    .name = "decode_rgb24",
+    .summary = "three channels, R most significant, to depth",
+    .exactness = tier::a,
+    .needs = list<&from_unorm>,
+    .source = R"GLSL(
+// umbrage_decode_rgb24: three channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
+    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+)GLSL",
+};
+
+}  // namespace glsl
+
+/// The encoding as a value.
+struct rgb24 {
+    using texel = glm::u8vec3;
+    static constexpr literal name = "rgb24";
+    static constexpr literal summary = "Three channels, R most significant.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_rgb24;
+    static constexpr const glsl::snippet* reader = &glsl::decode_rgb24;
+    static constexpr written writes = written::bytes;
+    static constexpr int bits = 24;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+    float edge = detail::safe_edge(direction);  ///< that decoding answers; the centre rounds from code 2^23 on
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage
 
 // ---- umbrage/filter/texel_space.hpp
@@ -4057,8 +3395,8 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL",
 };
 
-inline constexpr auto texel_space_snippets =
-    list<&fetch_depth, &depth_at, &inside_texel_space, &is_compared, &lit, &lit_2x2>;
+inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, &inside_texel_space,
+                                                       &is_compared, &lit,      &lit_2x2};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -4083,34 +3421,32 @@ struct disc_point {
 
 /// A disc's points, in 1/16 of its radius.
 template <int Points>
-inline constexpr std::array<disc_point, Points> disc_points = [] {
-    static_assert(Points == 8 || Points == 16 || Points == 32);
-    if constexpr (Points == 8)
-        return std::array<disc_point, 8>{{{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
-    else if constexpr (Points == 16)
-        return std::array<disc_point, 16>{{{1, -3},
-                                           {5, 2},
-                                           {-5, 2},
-                                           {0, 7},
-                                           {-6, -5},
-                                           {8, -5},
-                                           {0, -11},
-                                           {11, 5},
-                                           {-12, 4},
-                                           {-1, 13},
-                                           {7, 11},
-                                           {-9, 10},
-                                           {-13, -4},
-                                           {7, -12},
-                                           {-7, -12},
-                                           {14, -2}}};
-    else
-        return std::array<disc_point, 32>{{{-2, -1},  {3, 2},   {1, -4},   {-4, 3},  {0, 6},   {-5, -5},  {7, -2},
-                                           {-8, -1},  {8, 3},   {5, 7},    {1, -9},  {6, -7},  {-8, 5},   {0, 10},
-                                           {-3, -10}, {-6, 10}, {-9, -8},  {11, -5}, {5, -12}, {-13, -1}, {7, 11},
-                                           {13, 3},   {-13, 4}, {10, -10}, {14, -2}, {-11, 9}, {3, 14},   {-13, -6},
-                                           {12, 8},   {-4, 14}, {-7, -13}, {0, -15}}};
-}();
+requires(Points == 8 || Points == 16 || Points == 32) inline constexpr std::array<disc_point, Points> disc_points{};
+template <>
+inline constexpr std::array<disc_point, 8> disc_points<8>{
+    {{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
+template <>
+inline constexpr std::array<disc_point, 16> disc_points<16>{{{1, -3},
+                                                             {5, 2},
+                                                             {-5, 2},
+                                                             {0, 7},
+                                                             {-6, -5},
+                                                             {8, -5},
+                                                             {0, -11},
+                                                             {11, 5},
+                                                             {-12, 4},
+                                                             {-1, 13},
+                                                             {7, 11},
+                                                             {-9, 10},
+                                                             {-13, -4},
+                                                             {7, -12},
+                                                             {-7, -12},
+                                                             {14, -2}}};
+template <>
+inline constexpr std::array<disc_point, 32> disc_points<32>{
+    {{-2, -1}, {3, 2},    {1, -4},  {-4, 3},   {0, 6},   {-5, -5},  {7, -2},  {-8, -1}, {8, 3},    {5, 7},  {1, -9},
+     {6, -7},  {-8, 5},   {0, 10},  {-3, -10}, {-6, 10}, {-9, -8},  {11, -5}, {5, -12}, {-13, -1}, {7, 11}, {13, 3},
+     {-13, 4}, {10, -10}, {14, -2}, {-11, 9},  {3, 14},  {-13, -6}, {12, 8},  {-4, 14}, {-7, -13}, {0, -15}}};
 
 namespace detail {
 
@@ -4291,7 +3627,7 @@ inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "d
                               .needs = list<&is_compared, &disc_radius, &disc_tap, &lit>,
                               .source = {detail::disc_text, Points}};
 
-inline constexpr auto disc_snippets = list<&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>>;
+inline constexpr const snippet* disc_snippets[]{&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>};
 
 }  // namespace glsl
 
@@ -4302,7 +3638,7 @@ struct rotated_disc {
     int points = 16;  ///< 8, 16 or 32
     float radius_texels = 2.0f;
     comparison is_lit{};
-    std::string_view name = "disc16";
+    literal name = "disc16";
     const glsl::snippet* snippet = &glsl::disc<16>;
 
     static const std::array<rotated_disc, 3> values;
@@ -4397,7 +3733,7 @@ UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP fl
 )GLSL",
 };
 
-inline constexpr auto floor_divide_snippets = list<&mend_quotient, &floor_divide>;
+inline constexpr const snippet* floor_divide_snippets[]{&mend_quotient, &floor_divide};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -4586,8 +3922,8 @@ inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points ==
                                   .needs = list<&disc_tap, &blocker>,
                                   .source = {detail::blockers_text, Points}};
 
-inline constexpr auto penumbra_snippets =
-    list<&distance_code, &penumbra, &blocker, &blockers<8>, &blockers<16>, &blockers<32>>;
+inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,     &blocker,
+                                                    &blockers<8>,   &blockers<16>, &blockers<32>};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -4700,7 +4036,8 @@ inline constexpr snippet dpcf{
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened<Points>>,
     .source = {detail::dpcf_text, Points}};
 
-inline constexpr auto dpcf_snippets = list<&hardened<8>, &hardened<16>, &hardened<32>, &dpcf<8>, &dpcf<16>, &dpcf<32>>;
+inline constexpr const snippet* dpcf_snippets[]{&hardened<8>, &hardened<16>, &hardened<32>,
+                                                &dpcf<8>,     &dpcf<16>,     &dpcf<32>};
 
 }  // namespace glsl
 
@@ -4711,7 +4048,7 @@ struct dpcf {
     int points = 16;  ///< 8, 16 or 32
     light_softness softness{};
     comparison is_lit{};
-    std::string_view name = "dpcf16";
+    literal name = "dpcf16";
     const glsl::snippet* snippet = &glsl::dpcf<16>;
 
     static const std::array<dpcf, 3> values;
@@ -4814,7 +4151,7 @@ inline constexpr snippet pcss{
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
     .source = {detail::pcss_text, Points}};
 
-inline constexpr auto pcss_snippets = list<&pcss<8>, &pcss<16>, &pcss<32>>;
+inline constexpr const snippet* pcss_snippets[]{&pcss<8>, &pcss<16>, &pcss<32>};
 
 }  // namespace glsl
 
@@ -4825,7 +4162,7 @@ struct pcss {
     int points = 16;  ///< 8, 16 or 32
     light_softness softness{};
     comparison is_lit{};
-    std::string_view name = "pcss16";
+    literal name = "pcss16";
     const glsl::snippet* snippet = &glsl::pcss<16>;
 
     static const std::array<pcss, 3> values;
@@ -4971,7 +4308,7 @@ namespace filters {
 
 /// The filter as a value.
 struct pcf_2x2 {
-    static constexpr std::string_view name = "pcf_2x2";
+    static constexpr literal name = "pcf_2x2";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
 
     comparison is_lit{};
@@ -4985,7 +4322,7 @@ struct pcf_2x2 {
 
 /// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
 struct pcf_2x2_dx_sdk {
-    static constexpr std::string_view name = "pcf_2x2_dx_sdk";
+    static constexpr literal name = "pcf_2x2_dx_sdk";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
 
     float epsilon = 0.0f;  ///< in depth
@@ -5098,7 +4435,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
 )GLSL",
 };
 
-inline constexpr auto pcf_2x2_hardware_snippets = list<&lit_filtered, &lit_at, &pcf_2x2_hardware>;
+inline constexpr const snippet* pcf_2x2_hardware_snippets[]{&lit_filtered, &lit_at, &pcf_2x2_hardware};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5158,7 +4495,7 @@ namespace glsl {
 namespace detail {
 
 /// What every text over a disc's points in uv begins with, from its head's closing brace on.
-inline constexpr std::string_view disc_in_uv = R"GLSL(
+inline constexpr const char* disc_in_uv = R"GLSL(
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
@@ -5167,12 +4504,13 @@ inline constexpr std::string_view disc_in_uv = R"GLSL(
 )GLSL";
 
 /// `text` with the point's place in uv: centre + x $x + y $y.
-inline void append_point(std::string& text, disc_point p, std::string_view before, std::string_view after) {
-    const auto sign = [](int v) { return v < 0 ? std::string_view("-") : std::string_view("+"); };
-    const auto size = [](int v) { return v < 0 ? -v : v; };
+inline void append_point(std::string& text, disc_point p, const char* before, const char* after) {
     text += before;
     append(text, "centre $s x * $x.0 $t y * $y.0",
-           {{'s', 0, sign(p.x)}, {'x', size(p.x)}, {'t', 0, sign(p.y)}, {'y', size(p.y)}});
+           {{'s', 0, p.x < 0 ? "-" : "+"},
+            {'x', p.x < 0 ? -p.x : p.x},
+            {'t', 0, p.y < 0 ? "-" : "+"},
+            {'y', p.y < 0 ? -p.y : p.y}});
     text += after;
 }
 
@@ -5210,7 +4548,8 @@ inline constexpr snippet disc_hardware{
     .needs = list<&is_compared, &before_far, &lit_at>,
     .source = {detail::disc_hardware_text, Points}};
 
-inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;
+inline constexpr const snippet* disc_hardware_snippets[]{&lit_at, &disc_hardware<8>, &disc_hardware<16>,
+                                                         &disc_hardware<32>};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5378,8 +4717,8 @@ inline constexpr snippet blockers_hardware{
     .needs = list<&is_compared, &blocker_at>,
     .source = {detail::blockers_hardware_text, Points}};
 
-inline constexpr auto pcss_hardware_snippets =
-    list<&blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
+inline constexpr const snippet* pcss_hardware_snippets[]{&blocker_at, &pcss_radius, &blockers_hardware<8>,
+                                                         &blockers_hardware<16>, &blockers_hardware<32>};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5438,7 +4777,7 @@ UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 si
 )GLSL",
 };
 
-inline constexpr auto bounds_lit_snippets = list<&bounds_lit>;
+inline constexpr const snippet* bounds_lit_snippets[]{&bounds_lit};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5572,7 +4911,7 @@ namespace filters {
 
 /// The filter as a value.
 struct box {
-    static constexpr std::string_view name = "box";
+    static constexpr literal name = "box";
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< clamped to 0..8
@@ -5590,7 +4929,7 @@ struct box {
 /// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
 /// Pays off for large radii, and where shadows have more inside than border.
 struct hierarchical_box {
-    static constexpr std::string_view name = "hierarchical_box";
+    static constexpr literal name = "hierarchical_box";
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< clamped to 0..8
@@ -5669,7 +5008,7 @@ namespace filters {
 
 /// The filter as a value.
 struct four_tap {
-    static constexpr std::string_view name = "four_tap";
+    static constexpr literal name = "four_tap";
     static constexpr const glsl::snippet* snippet = &glsl::four_tap;
 
     std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
@@ -5749,7 +5088,7 @@ UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
 )GLSL",
 };
 
-inline constexpr auto four_tap_hardware_snippets = list<&four_tap_hardware>;
+inline constexpr const snippet* four_tap_hardware_snippets[]{&four_tap_hardware};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5802,7 +5141,7 @@ namespace filters {
 
 /// The filter as a value.
 struct hard {
-    static constexpr std::string_view name = "hard";
+    static constexpr literal name = "hard";
     static constexpr const glsl::snippet* snippet = &glsl::hard;
 
     comparison is_lit{};
@@ -6065,8 +5404,8 @@ UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP flo
 )GLSL",
 };
 
-inline constexpr auto cube_map_snippets = list<&cube_face, &cube_view_z, &cube_plane, &cube_point, &cube_coordinate,
-                                               &cube_direction, &cube_neighbour, &cube_tile>;
+inline constexpr const snippet* cube_map_snippets[]{&cube_face,       &cube_view_z,    &cube_plane,     &cube_point,
+                                                    &cube_coordinate, &cube_direction, &cube_neighbour, &cube_tile};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -6175,7 +5514,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 )GLSL",
 };
 
-inline constexpr auto pcf_2x2_cube_snippets = list<&cube_lit, &pcf_2x2_cube>;
+inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -6317,6 +5656,7 @@ constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : 
 
 [[nodiscard]] inline std::string window_sum_text(int size) {
     const int middle = size / 2;
+    const char *const quads[] = {"a", "b", "c", "d"}, *const lanes[] = {"x", "y", "z", "w"};
     std::string text = filled(R"GLSL(
 // umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -6348,12 +5688,11 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     for (int j = 0; j <= size; j += 2) {
         for (int i = 0; i <= size; i += 2)
             append(text, "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
-                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, {&"abcd"[i / 2], 1}}, {'i', i}, {'j', j}});
+                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, quads[i / 2]}, {'i', i}, {'j', j}});
         for (int row : {0, 1}) {
-            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, {&"xz"[row], 1}}});
+            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, lanes[2 * row]}});
             for (int i = 1; i <= size; ++i)
-                append(text, " + w$i.x * $a.$c",
-                       {{'i', i}, {'a', 0, {&"abcd"[i / 2], 1}}, {'c', 0, {&"xyzw"[2 * row + i % 2], 1}}});
+                append(text, " + w$i.x * $a.$c", {{'i', i}, {'a', 0, quads[i / 2]}, {'c', 0, lanes[2 * row + i % 2]}});
             text += ");\n";
         }
     }
@@ -6372,7 +5711,7 @@ inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size ==
                                     .needs = list<&is_compared, &lit_2x2>,
                                     .source = {detail::window_sum_text, Size}};
 
-inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &window_sum<7>>;
+inline constexpr const snippet* window_snippets[]{&window_sum<3>, &window_sum<5>, &window_sum<7>};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -6506,7 +5845,8 @@ inline constexpr snippet window_hardware{
     .needs = list<&is_compared, &before_far, &lit_at>,
     .source = {detail::window_hardware_text, Size}};
 
-inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;
+inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, &window_hardware<5>,
+                                                           &window_hardware<7>};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -6642,9 +5982,9 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
 
 /// What a family's texts need, by the size of their window.
 template <int Size>
-inline constexpr auto window_needs = list<&window_sum<Size>>;
+inline constexpr const auto& window_needs = list<&window_sum<Size>>;
 template <>
-inline constexpr auto window_needs<2> = list<&is_compared, &lit_2x2>;
+inline constexpr const auto& window_needs<2> = list<&is_compared, &lit_2x2>;
 
 }  // namespace detail
 
@@ -6714,7 +6054,7 @@ namespace filters {
 struct window {
     window_row row = tent_row<3>;
     comparison is_lit{};
-    std::string_view name = "window";
+    literal name = "window";
     const glsl::snippet* snippet = nullptr;  ///< of the same result; none for rows of one's own
 
     static const std::array<window, 9> values;  ///< the library's
@@ -6902,7 +6242,7 @@ UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
 )GLSL",
 };
 
-inline constexpr auto exp2_snippets = list<&power_of_two, &exp2_polynomial, &exp2_steps>;
+inline constexpr const snippet* exp2_snippets[]{&power_of_two, &exp2_polynomial, &exp2_steps};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -7009,7 +6349,7 @@ UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HI
 )GLSL",
 };
 
-inline constexpr auto chebyshev_snippets = list<&forward_depth, &chebyshev, &bleed_cut>;
+inline constexpr const snippet* chebyshev_snippets[]{&forward_depth, &chebyshev, &bleed_cut};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -7128,7 +6468,7 @@ UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP floa
 )GLSL",
 };
 
-inline constexpr auto esm_snippets = list<&warp_depth, &encode_esm, &decode_esm>;
+inline constexpr const snippet* esm_snippets[]{&warp_depth, &encode_esm, &decode_esm};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -7325,7 +6665,7 @@ UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP flo
 )GLSL",
 };
 
-inline constexpr auto evsm_snippets = list<&encode_evsm2, &encode_evsm4, &decode_evsm2, &decode_evsm4>;
+inline constexpr const snippet* evsm_snippets[]{&encode_evsm2, &encode_evsm4, &decode_evsm2, &decode_evsm4};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -7476,8 +6816,8 @@ UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
 )GLSL",
 };
 
-inline constexpr auto vsm_snippets =
-    list<&encode_vsm, &decode_vsm, &encode_deviation, &decode_deviation, &decode_deviation_rgba8>;
+inline constexpr const snippet* vsm_snippets[]{&encode_vsm, &decode_vsm, &encode_deviation, &decode_deviation,
+                                               &decode_deviation_rgba8};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -7657,8 +6997,8 @@ UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_
 )GLSL",
 };
 
-inline constexpr auto decode_hardware_snippets =
-    list<&chebyshev_hardware, &decode_vsm_hardware, &decode_evsm2_hardware, &decode_evsm4_hardware>;
+inline constexpr const snippet* decode_hardware_snippets[]{&chebyshev_hardware, &decode_vsm_hardware,
+                                                           &decode_evsm2_hardware, &decode_evsm4_hardware};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -7932,8 +7272,8 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
 )GLSL",
 };
 
-inline constexpr auto msm_snippets =
-    list<&encode_msm, &turn_moments, &turn_moments_back, &moment_atoms, &bias_moments, &decode_msm>;
+inline constexpr const snippet* msm_snippets[]{&encode_msm,   &turn_moments, &turn_moments_back,
+                                               &moment_atoms, &bias_moments, &decode_msm};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -8063,7 +7403,7 @@ UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_H
 )GLSL",
 };
 
-inline constexpr auto hausdorff_snippets = list<&hausdorff_share, &decode_msm_hausdorff>;
+inline constexpr const snippet* hausdorff_snippets[]{&hausdorff_share, &decode_msm_hausdorff};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -8336,146 +7676,11 @@ UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 )GLSL",
 };
 
-inline constexpr auto look_up_snippets =
-    list<&fetch_bilinear, &vsm, &esm, &evsm2, &evsm4, &msm, &msm_turned, &msm_hausdorff>;
+inline constexpr const snippet* look_up_snippets[]{&fetch_bilinear, &vsm, &esm,        &evsm2,
+                                                   &evsm4,          &msm, &msm_turned, &msm_hausdorff};
 
 }  // namespace glsl
 }  // namespace umbrage
-
-// ---- umbrage/filter/prefiltered/prefilters.hpp
-// Prefiltered maps as values: what a texel is, how depth becomes one, what a mean of texels says. One list, which
-// functions over images, tools and tables walk.
-//
-//     umbrage::prefilters::evsm4 filter{umbrage::make_evsm({.exponent = 30.0f})};
-//     glm::vec4 texel = filter.encode(depth);
-//     float visibility = filter.decode(blurred, receiver);
-//
-
-namespace umbrage::prefilters {
-
-/// Depth and its square: two floats of 32 bits. Light bleeds through behind casters that lie behind each other.
-struct vsm {
-    using texel = glm::vec2;
-    static constexpr std::string_view name = "vsm";
-    static constexpr const glsl::snippet *writer = &glsl::encode_vsm, *snippet = &glsl::vsm;
-
-    float min_variance = 1e-6f;
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_vsm(depth, cleared_depth(direction)); }
-    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
-        return decode_vsm(m, receiver, min_variance, cleared_depth(direction));
-    }
-};
-
-/// One power of depth. Light bleeds through where a lit surface lies behind the receiver in the same window.
-struct esm {
-    using texel = float;
-    static constexpr std::string_view name = "esm";
-    static constexpr const glsl::snippet *writer = &glsl::encode_esm, *snippet = &glsl::esm;
-
-    esm_settings settings{};
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
-        return encode_esm(depth, settings.exponent, cleared_depth(direction));
-    }
-    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
-        return decode_esm(m, receiver, settings.exponent, cleared_depth(direction));
-    }
-};
-
-/// A power of depth and its square.
-struct evsm2 {
-    using texel = glm::vec2;
-    static constexpr std::string_view name = "evsm2";
-    static constexpr const glsl::snippet *writer = &glsl::encode_evsm2, *snippet = &glsl::evsm2;
-
-    evsm_parameters parameters = make_evsm({});
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
-        return encode_evsm2(depth, parameters.exponents.x, cleared_depth(direction));
-    }
-    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
-        return decode_evsm2(m, receiver, parameters.exponents.x, parameters.deviations.x, cleared_depth(direction));
-    }
-};
-
-/// A growing and a falling power, and their squares: the least light of those with moments of two depths.
-struct evsm4 {
-    using texel = glm::vec4;
-    static constexpr std::string_view name = "evsm4";
-    static constexpr const glsl::snippet *writer = &glsl::encode_evsm4, *snippet = &glsl::evsm4;
-
-    evsm_parameters parameters = make_evsm({});
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
-        return encode_evsm4(depth, parameters.exponents, cleared_depth(direction));
-    }
-    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
-        return decode_evsm4(m, receiver, parameters.exponents, parameters.deviations, cleared_depth(direction));
-    }
-};
-
-/// Four moments in floats of 32 bits.
-struct msm {
-    using texel = glm::vec4;
-    static constexpr std::string_view name = "msm";
-    static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm;
-
-    glm::vec2 bias = msm_bias_32;
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
-    [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
-        return decode_msm(b, receiver, bias, cleared_depth(direction));
-    }
-    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
-};
-
-/// Four moments for channels of 16 bits.
-struct msm_turned {
-    using texel = glm::vec4;
-    static constexpr std::string_view name = "msm_turned";
-    static constexpr const glsl::snippet *writer = &glsl::turn_moments, *snippet = &glsl::msm_turned;
-
-    glm::vec2 bias = msm_bias_16;
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
-        return turn_moments(encode_msm(depth, cleared_depth(direction)));
-    }
-    [[nodiscard]] UMBRAGE_INLINE float decode(texel o, float receiver) const {
-        return decode_msm(turn_moments_back(o), receiver, bias, cleared_depth(direction));
-    }
-    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel o) const { return bias_moments(turn_moments_back(o), bias); }
-};
-
-/// Four moments in floats of 32 bits, of depths known to lie in [0, 1].
-struct msm_hausdorff {
-    using texel = glm::vec4;
-    static constexpr std::string_view name = "msm_hausdorff";
-    static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm_hausdorff;
-
-    glm::vec2 bias = msm_bias_32;
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
-    [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
-        return decode_msm_hausdorff(b, receiver, bias, cleared_depth(direction));
-    }
-    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
-    /// Visibility from decode_msm's.
-    [[nodiscard]] UMBRAGE_INLINE static float within(float plain, const glm::vec4& moments, float forward) {
-        return detail::lit_within(plain, moments, forward);
-    }
-};
-
-using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff>;
-
-}  // namespace umbrage::prefilters
 
 // ---- umbrage/filter/prefiltered/reduce.hpp
 // Blur and mip chain of prefiltered maps, for passes of shaders: texels of the map that a pass reads make one of the
@@ -8578,7 +7783,7 @@ UMBRAGE_HIGHP vec4 umbrage_halve_texels(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 )GLSL",
 };
 
-inline constexpr auto reduce_snippets = list<&blur_row<3>, &blur_row<5>, &blur_row<7>, &halve_texels>;
+inline constexpr const snippet* reduce_snippets[]{&blur_row<3>, &blur_row<5>, &blur_row<7>, &halve_texels};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -8702,7 +7907,7 @@ UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
 )GLSL",
 };
 
-inline constexpr auto summed_moments_snippets = list<&box_mean, &summed_moments>;
+inline constexpr const snippet* summed_moments_snippets[]{&box_mean, &summed_moments};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -8854,7 +8059,7 @@ UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
 )GLSL",
 };
 
-inline constexpr auto summed_variance_snippets = list<&box_moments, &summed_variance>;
+inline constexpr const snippet* summed_variance_snippets[]{&box_moments, &summed_variance};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -8940,7 +8145,7 @@ UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2
 )GLSL",
 };
 
-inline constexpr auto page_table_snippets = list<&page_coordinate>;
+inline constexpr const snippet* page_table_snippets[]{&page_coordinate};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -9125,8 +8330,8 @@ UMBRAGE_HIGHP float umbrage_dithered_cascade(UMBRAGE_HIGHP float number, UMBRAGE
 )GLSL",
 };
 
-inline constexpr auto blend_snippets =
-    list<&cascade_weight, &cascade_fade, &cascade_border_fade, &blend_cascades, &dither_threshold, &dithered_cascade>;
+inline constexpr const snippet* blend_snippets[]{&cascade_weight, &cascade_fade,     &cascade_border_fade,
+                                                 &blend_cascades, &dither_threshold, &dithered_cascade};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -9317,8 +8522,8 @@ UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGH
 )GLSL",
 };
 
-inline constexpr auto select_snippets = list<&cascade_by_depth, &cascade_column, &cascade_coordinate, &inside_cascade,
-                                             &cascade_by_projection, &cascade_tile>;
+inline constexpr const snippet* select_snippets[]{&cascade_by_depth, &cascade_column,        &cascade_coordinate,
+                                                  &inside_cascade,   &cascade_by_projection, &cascade_tile};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -9447,7 +8652,7 @@ UMBRAGE_HIGHP vec3 umbrage_cube_atlas_direction(UMBRAGE_HIGHP vec2 texel, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto cube_atlas_snippets = list<&cube_atlas_texel, &cube_atlas_direction>;
+inline constexpr const snippet* cube_atlas_snippets[]{&cube_atlas_texel, &cube_atlas_direction};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -9634,7 +8839,7 @@ UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction
 )GLSL",
 };
 
-inline constexpr auto dual_paraboloid_snippets = list<&dual_paraboloid_coordinate, &dual_paraboloid_position>;
+inline constexpr const snippet* dual_paraboloid_snippets[]{&dual_paraboloid_coordinate, &dual_paraboloid_position};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -9684,7 +8889,7 @@ UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr auto pancake_snippets = list<&pancaked>;
+inline constexpr const snippet* pancake_snippets[]{&pancaked};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -9969,8 +9174,9 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face_of(UMBRAGE_HIGHP vec2 texel, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto tetrahedron_snippets = list<&tetrahedron_face, &tetrahedron_plane, &tetrahedron_view_z,
-                                                  &tetrahedron_coordinate, &tetrahedron_texel, &tetrahedron_face_of>;
+inline constexpr const snippet* tetrahedron_snippets[]{&tetrahedron_face,   &tetrahedron_plane,
+                                                       &tetrahedron_view_z, &tetrahedron_coordinate,
+                                                       &tetrahedron_texel,  &tetrahedron_face_of};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -10159,7 +9365,7 @@ UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HI
 )GLSL",
 };
 
-inline constexpr auto lighting_snippets = list<&spot_cone, &diffuse_ambient>;
+inline constexpr const snippet* lighting_snippets[]{&spot_cone, &diffuse_ambient};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -10210,7 +9416,7 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
 )GLSL",
 };
 
-inline constexpr auto false_colour_snippets = list<&false_colour>;
+inline constexpr const snippet* false_colour_snippets[]{&false_colour};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -10260,16 +9466,61 @@ UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIG
 )GLSL",
 };
 
-inline constexpr auto overlay_texel_snippets = list<&overlay_texel>;
+inline constexpr const snippet* overlay_texel_snippets[]{&overlay_texel};
 
 }  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/primitives.hpp
 // The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
-// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive) and the texts of snippets
-// come with <umbrage/umbrage.hpp> or in headers of their own. Made by single_include/amalgamate.cmake.
+// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive), other programs' formats
+// (depth/foreign), the lists of encodings and filters and the texts of snippets come with <umbrage/umbrage.hpp> or in
+// headers of their own. Made by single_include/amalgamate.cmake.
 
+
+// ---- umbrage/list.hpp
+// A list of types whose values know their names: what tools, tables and tests walk.
+//
+//     using encodings = umbrage::list_of<depth32f, rg<9>>;
+//     encodings::for_each([](auto encoding) { std::puts(encoding.name.data()); });
+//
+
+namespace umbrage {
+
+/// std::tuple's cheap sister: it is never made, so that a file that does not walk it pays nothing.
+template <class... Values>
+struct list_of {
+    static constexpr std::size_t size = sizeof...(Values);
+
+    /// Calls use(value) with a value of each, or with each of its `values`, one after the other.
+    template <class Use>
+    static constexpr void for_each(Use&& use) {
+        (each<Values>(use), ...);
+    }
+
+    /// Calls use(value) with the one of that name.
+    /// @return   false where none is called so
+    template <class Use>
+    static constexpr bool with(std::string_view name, Use&& use) {
+        bool found = false;
+        for_each([&](const auto& value) {
+            if (found || value.name != name) return;
+            found = true;
+            static_cast<void>(use(value));
+        });
+        return found;
+    }
+
+private:
+    template <class Value, class Use>
+    static constexpr void each(Use& use) {
+        if constexpr (requires { Value::values; })
+            for (const Value& value : Value::values) use(value);
+        else use(Value{});
+    }
+};
+
+}  // namespace umbrage
 
 // ---- umbrage/simd/blocks/form.hpp
 // The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
@@ -10286,6 +9537,10 @@ inline constexpr auto overlay_texel_snippets = list<&overlay_texel>;
 // loops go to `block` all the same, a number that compilers vectorise by, and what the rest gives is ignored. `Isa` is
 // the instruction set that the code is compiled for. Every function and lambda of it is UMBRAGE_INLINE: dispatch.hpp
 // says why.
+//
+// Blocks that leave work for later have a type `tile` with a number `rows`. They come tile by tile, so many above each
+// other; the second step gets the tile besides, and finish(tile, set) is called behind its last block, before results
+// are taken. hierarchical.hpp does so.
 //
 // unit/simd/blocks/form and form/coherent hold each form to its filter, bit by bit.
 //
@@ -10311,84 +9566,26 @@ enum class map_need {
 template <class Filter>
 struct block_form;
 
+/// Of blocks that leave nothing for later: a row.
+struct one_row {
+    static constexpr int rows = 1;
+};
+template <class Blocks>
+struct tile_of {
+    using type = one_row;
+};
+template <class Blocks>
+requires requires { typename Blocks::tile; }
+struct tile_of<Blocks> {
+    using type = typename Blocks::tile;
+};
+
 template <class Filter>
 concept has_block_form = requires {
     block_form<Filter>::need;
 };
 
 }  // namespace umbrage::detail
-
-// ---- umbrage/images/receivers.hpp
-// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the
-// map, z depth, biased), three images of floats, or the depth image that a camera saw.
-//
-//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(clip_to_world, to_texels, size, clip), bias};
-//
-
-namespace umbrage {
-
-/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
-struct receiver_planes {
-    image_view<const float> x, y, depth;
-};
-
-/// Receivers as a camera's depth image.
-struct depth_receivers {
-    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
-    glm::mat4 matrix;               ///< receiver_matrix
-    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
-};
-
-/// The way from a camera's depth image to the shadow map.
-///
-/// @param clip_to_world    inverse of the camera's projection * view
-/// @param texture_matrix   world to texels of the map
-/// @param size             of the depth image in texels, each >= 1
-/// @param clip             the camera's convention
-/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
-///                         the camera; the product is taken in double
-/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
-template <class = detail::on_use>
-[[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
-                                        glm::ivec2 size, clip_space clip) {
-    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
-    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
-    glm::dmat4 to_clip(1.0);
-    to_clip[0][0] = 2.0 / size.x;
-    to_clip[1][1] = up * 2.0 / size.y;
-    to_clip[3] = {-1.0, -up, 0.0, 1.0};
-    if (clip.range == depth_range::minus_one_to_one) {
-        to_clip[2][2] = 2.0;
-        to_clip[3][2] = -1.0;
-    }
-    const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
-    detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
-                    "give a matrix that is not finite");
-    return m;
-}
-
-/// One receiver of a camera's depth image.
-/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
-/// @exactness     C, as project_coordinate
-template <class = detail::on_use>
-[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
-    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
-    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
-    return {p.x, p.y, p.z - seen.bias};
-}
-
-namespace detail {
-
-[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
-    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
-        fail("umbrage::visibility: sizes differ");
-    return receivers.depth.size;
-}
-
-}  // namespace detail
-}  // namespace umbrage
 
 // ---- umbrage/simd/strict_math.hpp
 // Keeps -ffast-math out of code whose bits are promised:
@@ -11040,17 +10237,31 @@ UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) 
     else std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
 }
 
-/// A number that one thread hands to others, with all that it wrote before: std::atomic, whose header takes a tenth of
-/// the time that all of glm.hpp and the usual standard headers do.
+/// A number that threads hand to each other, with all that they wrote before: std::atomic, whose header takes a tenth
+/// of the time that all of glm.hpp and the usual standard headers do.
 #if defined(__GNUC__) || defined(__clang__)
 inline int load_acquire(const int& from) { return __atomic_load_n(&from, __ATOMIC_ACQUIRE); }
+inline int exchange_acquire(int value, int& with) { return __atomic_exchange_n(&with, value, __ATOMIC_ACQUIRE); }
 inline void store_release(int value, int& to) { __atomic_store_n(&to, value, __ATOMIC_RELEASE); }
 #else
 inline int load_acquire(const int& from) {
     return std::atomic_ref(const_cast<int&>(from)).load(std::memory_order_acquire);
 }
+inline int exchange_acquire(int value, int& with) {
+    return std::atomic_ref(with).exchange(value, std::memory_order_acquire);
+}
 inline void store_release(int value, int& to) { std::atomic_ref(to).store(value, std::memory_order_release); }
 #endif
+
+/// Takes a lock, 1 while a thread has it, which others hold for microseconds; store_release(0, lock) gives it back.
+inline void take_lock(int& lock) {
+    while (exchange_acquire(1, lock) != 0)
+        while (load_acquire(lock) != 0) {
+#if defined(__GNUC__) && defined(__x86_64__)
+            __builtin_ia32_pause();
+#endif
+        }
+}
 
 /// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only
 /// prefetches has no effect, and a call of it is left out.
@@ -11076,125 +10287,6 @@ UMBRAGE_INLINE inline void prefetch_rest(const T* row, int count, int step = blo
     for (int x = count / step * step; x < count; x += static_cast<int>(64 / sizeof(T))) prefetch_line(row + x);
     if (count % step != 0) prefetch_line(row + count - 1);
 }
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/receivers.hpp
-// Blocks of 64 receivers, wherever they come from: x(i), y(i) in texels, z(i) depth.
-//
-//     use_receivers(receivers, walk, set, [&](const auto& of_block) { blocks.place(of_block, placed); });
-//
-
-namespace umbrage::detail {
-
-/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
-struct receiver_texels {
-    const glm::vec3* first;
-    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
-    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
-    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
-};
-
-/// The same in three planes.
-struct receiver_rows {
-    const float *first_x, *first_y, *first_z;
-    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
-};
-
-/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
-struct receiver_block {
-    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
-    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
-    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
-        xs[i] = x_at;
-        ys[i] = y_at;
-        zs[i] = depth;
-    }
-    template <class Receivers>
-    UMBRAGE_INLINE void copy(const Receivers& from) {
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
-    }
-};
-
-/// A walk over the blocks of some rows.
-struct block_walk {
-    int x, y, width;
-
-    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
-    UMBRAGE_INLINE void step() {
-        x += block;
-        if (x < width) return;
-        x = 0;
-        ++y;
-    }
-};
-
-/// Hands a block of receivers on: whole ones where they are, others as a copy.
-template <class Receivers, class Use>
-UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
-    if (count == block) return use(receivers);
-    receiver_block copy;
-    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
-    use(copy);
-}
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa,
-                                         const Use& use) {
-    const receiver_texels receivers{from.row(at.y) + at.x};
-    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
-    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
-    copy.copy(receivers);
-    use(copy);
-}
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
-    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(),
-              use);
-}
-
-/// receiver_at for a block.
-template <class = on_use>
-inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
-    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
-    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-        const glm::mat4 m = seen.matrix;
-        const float bias = seen.bias;
-        const float y = static_cast<float>(at.y) + 0.5f;
-        for (int i = 0; i < block; ++i) {
-            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
-            const auto sum = [&](glm::length_t k)
-                                 UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
-            const float w = sum(3);
-            const auto bits = detail::bit_cast<std::int32_t>(w);
-            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
-            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
-            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
-            r.zs[i] = masked(sum(2) / w, in_front) - bias;
-        }
-    });
-}
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
-    receiver_block r;
-    load(seen, at, r);
-    use(r);
-}
-
-/// Starts to fetch the receivers some blocks ahead. Hardware prefetching stops at the end of a page.
-template <class T>
-UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
-    constexpr int bytes = block * static_cast<int>(sizeof(T)), blocks = 4;
-    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
-}
-UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
-    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
-}
-UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
 
 }  // namespace umbrage::detail
 
@@ -11377,6 +10469,236 @@ UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int
 
 }  // namespace umbrage::detail
 
+// ---- umbrage/simd/blocks/map_tile.hpp
+// A copy of the part of a map that some receivers ask for. Rows of a map that lie a multiple of 2048 bytes apart share
+// their places in a first-level cache, which has few for each: high boxes push their own rows out of it. In a tile they
+// do not.
+//
+//     map_tile tile;
+//     if (map_tile::helps(map.stride, width) && map_tile::holds(first, last)) tile.copy(map, first, last);
+//
+
+namespace umbrage::detail {
+
+struct map_tile {
+    static constexpr int columns = 100, rows = 96;
+    float texels[rows][columns];
+
+    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
+    [[nodiscard]] static bool holds(glm::ivec2 first, glm::ivec2 last) {
+        return last.x - first.x < columns && last.y - first.y < rows;
+    }
+
+    /// @param last   texel of the map, which the tile must hold; at least eight columns
+    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
+        const int count = last.x - first.x + 1;
+        const auto eight = [](const float* from, float* to)
+                               UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
+        for (int y = first.y; y <= last.y; ++y) {
+            const float* from = texel_at(map, first.x, y);
+            float* to = texels[y - first.y];
+            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
+            eight(from + count - 8, to + count - 8);
+        }
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/receivers.hpp
+// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the
+// map, z depth, biased), three images of floats, or the depth image that a camera saw.
+//
+//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(clip_to_world, to_texels, size, clip), bias};
+//
+
+namespace umbrage {
+
+/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
+struct receiver_planes {
+    image_view<const float> x, y, depth;
+};
+
+/// Receivers as a camera's depth image.
+struct depth_receivers {
+    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
+    glm::mat4 matrix;               ///< receiver_matrix
+    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
+};
+
+/// The way from a camera's depth image to the shadow map.
+///
+/// @param clip_to_world    inverse of the camera's projection * view
+/// @param texture_matrix   world to texels of the map
+/// @param size             of the depth image in texels, each >= 1
+/// @param clip             the camera's convention
+/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
+///                         the camera; the product is taken in double
+/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
+template <class = detail::on_use>
+[[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                        glm::ivec2 size, clip_space clip) {
+    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
+    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    glm::dmat4 to_clip(1.0);
+    to_clip[0][0] = 2.0 / size.x;
+    to_clip[1][1] = up * 2.0 / size.y;
+    to_clip[3] = {-1.0, -up, 0.0, 1.0};
+    if (clip.range == depth_range::minus_one_to_one) {
+        to_clip[2][2] = 2.0;
+        to_clip[3][2] = -1.0;
+    }
+    const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+    detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
+                    "give a matrix that is not finite");
+    return m;
+}
+
+/// One receiver of a camera's depth image.
+/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
+/// @exactness     C, as project_coordinate
+template <class = detail::on_use>
+[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
+    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
+    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
+    return {p.x, p.y, p.z - seen.bias};
+}
+
+namespace detail {
+
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        fail("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/simd/blocks/receivers.hpp
+// Blocks of 64 receivers, wherever they come from: x(i), y(i) in texels, z(i) depth.
+//
+//     use_receivers(receivers, walk, set, [&](const auto& of_block) { blocks.place(of_block, placed); });
+//
+
+namespace umbrage::detail {
+
+/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
+struct receiver_texels {
+    const glm::vec3* first;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
+};
+
+/// The same in three planes.
+struct receiver_rows {
+    const float *first_x, *first_y, *first_z;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
+};
+
+/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
+struct receiver_block {
+    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
+    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
+        xs[i] = x_at;
+        ys[i] = y_at;
+        zs[i] = depth;
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void copy(const Receivers& from) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
+    }
+};
+
+/// A walk over the blocks of some rows: tile by tile, each of so many rows, from the first up to `last`.
+struct block_walk {
+    int x, y, width;
+    int rows = 1, last = 0;  ///< which one row of blocks after the other need not know
+    int first = y;           ///< of the tile
+
+    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
+    [[nodiscard]] UMBRAGE_INLINE bool ends_tile() const { return y + 1 == first + rows || y + 1 == last; }
+    UMBRAGE_INLINE void step() {
+        if (!ends_tile()) ++y;
+        else if (x += block; x < width) y = first;
+        else x = 0, first = ++y;
+    }
+};
+
+/// Hands a block of receivers on: whole ones where they are, others as a copy.
+template <class Receivers, class Use>
+UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
+    if (count == block) return use(receivers);
+    receiver_block copy;
+    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa,
+                                         const Use& use) {
+    const receiver_texels receivers{from.row(at.y) + at.x};
+    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
+    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+    copy.copy(receivers);
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
+    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(),
+              use);
+}
+
+/// receiver_at for a block.
+template <class = on_use>
+inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
+    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
+        const float y = static_cast<float>(at.y) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
+            const auto sum = [&](glm::length_t k)
+                                 UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const float w = sum(3);
+            const auto bits = detail::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.zs[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
+    receiver_block r;
+    load(seen, at, r);
+    use(r);
+}
+
+/// Starts to fetch the receivers some blocks ahead, or of the next tile: hardware prefetching stops at the end of a
+/// page.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
+    const int bytes = block * static_cast<int>(sizeof(T)), blocks = at.rows == 1 ? 4 : 1;
+    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
+}
+UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
+    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
+}
+UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/simd/blocks/box.hpp
 // The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
 //
@@ -11450,28 +10772,6 @@ private:
     }
 };
 
-/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their
-/// places in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
-struct map_tile {
-    static constexpr int columns = 100, rows = 96;
-    float texels[rows][columns];
-
-    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
-
-    /// @param last   texel of the map, within columns and rows of the first; at least eight columns
-    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
-        const int count = last.x - first.x + 1;
-        const auto eight = [](const float* from, float* to)
-                               UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
-        for (int y = first.y; y <= last.y; ++y) {
-            const float* from = texel_at(map, first.x, y);
-            float* to = texels[y - first.y];
-            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
-            eight(from + count - 8, to + count - 8);
-        }
-    }
-};
-
 /// A map of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
 template <depth_direction Direction>
 struct box_blocks {
@@ -11490,12 +10790,14 @@ struct box_blocks {
 
     /// Of the texels that a receiver there asks for, along an axis.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const { return floor_int(coord) - radius; }
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< of a box
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const { return side() + 7; }    ///< of a row, by registers of eight
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);
-        const int before = radius, width = 2 * radius + 1, last_x = map.size.x - width, last_y = map.size.y - width;
-        const int last_load = last_x - 7;  // where registers of eight lanes still end inside
+        const int before = radius, last_x = map.size.x - side(), last_y = map.size.y - side();
+        const int last_load = map.size.x - loaded();
         std::int32_t plain = -1;
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
@@ -11512,7 +10814,7 @@ struct box_blocks {
             plain &= at.inside[i] & at.compared[i] & -(loads_inside & number);
         }
         at.all_plain = plain;
-        prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : side());
     }
 
     template <class Isa>
@@ -11524,7 +10826,7 @@ struct box_blocks {
 private:
     template <int Lanes>
     UMBRAGE_INLINE void count_all(const placed& at, int count, float* visibility) const {
-        const int width = 2 * radius + 1;
+        const int width = side();
         if constexpr (Lanes == 8) {
             if (width == 3) return count_with<rows<8, 0, 3>>(at, count, visibility);
             if (width == 5) return count_with<rows<8, 0, 5>>(at, count, visibility);
@@ -11541,7 +10843,7 @@ private:
 
     template <class Boxes>
     UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
-        const int width = 2 * radius + 1, last_load = map.size.x - Boxes::reach;
+        const int width = side(), last_load = map.size.x - Boxes::reach;
         const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
         alignas(64) std::int32_t lit[block]{};
@@ -11569,7 +10871,7 @@ private:
                 of.count_two(starts, at.z + i, lit + i);
             }
         };
-        if (map_tile::helps(map.stride, 2 * radius + 1)) {
+        if (map_tile::helps(map.stride, side())) {
             glm::ivec2 first(at.x[0], at.y[0]), last = first;
             for (int i = 0; i < block; ++i) {
                 first.x = at.x[i] < first.x ? at.x[i] : first.x;
@@ -11578,10 +10880,10 @@ private:
                 last.y = at.y[i] > last.y ? at.y[i] : last.y;
             }
             last += glm::ivec2(Boxes::reach - 1, 2 * radius);
-            if (last.x - first.x < map_tile::columns && last.y - first.y < map_tile::rows) {
+            if (map_tile::holds(first, last)) {
                 map_tile tile;
                 tile.copy(map, first, last);
-                return count_all(Boxes(sizeof tile.texels[0], 2 * radius + 1), [&](int i) UMBRAGE_INLINE {
+                return count_all(Boxes(sizeof tile.texels[0], side()), [&](int i) UMBRAGE_INLINE {
                     return reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]);
                 });
             }
@@ -11952,6 +11254,16 @@ struct serial {
     }
 };
 
+namespace detail {
+
+/// By the caller's scheduler, unless there is only one piece, for which it would start threads in vain.
+template <class ParallelFor, class Piece>
+void in_pieces(int count, ParallelFor&& parallel, const Piece& piece) {
+    if (count == 1) piece(0, 1);
+    else parallel(count, piece);
+}
+
+}  // namespace detail
 }  // namespace umbrage
 
 // ---- umbrage/simd/algorithm.hpp
@@ -12201,7 +11513,8 @@ struct window_blocks {
     const window_row& row;
     const window_table& weights;
 
-    [[nodiscard]] UMBRAGE_INLINE int loaded() const {  ///< of a row of texels
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< of a window
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const {                        ///< of a row of texels
         return row.touched() > 8 ? 16 : (row.touched() > 4 ? 8 : 4);
     }
 
@@ -12358,6 +11671,11 @@ struct block_form<filters::window> {
 
 namespace umbrage::detail {
 
+/// A block of which no receiver is compared, as all over the sky.
+UMBRAGE_INLINE inline void light_all(float* visibility) {
+    for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
+}
+
 /// What bounds say of a block: lit or dark, and which receivers are open, as their texels differ.
 /// @return   whether any is open: not 0
 template <class Test>
@@ -12366,12 +11684,7 @@ UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std:
                                               std::int32_t* open) {
     const texel_bytes<const glm::vec2> memory(tree.bounds.view);
     alignas(64) glm::vec2 bounds[block];
-    std::int32_t some = 0, any = 0;
-    for (int i = 0; i < block; ++i) some |= compared[i];
-    if (!some) {  // as all over the sky
-        for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
-        return 0;
-    }
+    std::int32_t any = 0;
     gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
     for (int i = 0; i < block; ++i) {
         const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
@@ -12383,13 +11696,43 @@ UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std:
     return any;
 }
 
+/// The open receivers of a tile of 64 x 8. They lie close to each other, so that one copy of the map serves them all,
+/// and fill their blocks, which those of a row alone do not.
+struct open_receivers {
+    static constexpr int rows = 8, room = rows * block;
+    alignas(64) float xs[room], ys[room], zs[room];
+    float* visibility[room];
+    int count = 0;
+    map_tile texels;
+
+    UMBRAGE_INLINE void add(const receiver_block& r, const std::int32_t* open, int of, float* out) {
+        const auto word = [](float& to, const float& from)
+                              UMBRAGE_INLINE { std::memcpy(&to, &from, sizeof to); };  // more a cycle than floats
+        int end = count;
+        for (int i = 0; i < of; ++i) {
+            word(xs[end], r.xs[i]);
+            word(ys[end], r.ys[i]);
+            word(zs[end], r.zs[i]);
+            visibility[end] = out + i;
+            end -= open[i];
+        }
+        count = end;
+    }
+
+    /// Copies behind them: if all boxes of a block are in the map, none needs care.
+    UMBRAGE_INLINE void fill_last_block() {
+        for (int i = count; i % block != 0; ++i) xs[i] = xs[0], ys[i] = ys[0], zs[i] = zs[0];
+    }
+};
+
 /// @tparam Blocks   of the filter that reads every texel of its box
 template <class Blocks>
 struct hierarchical_blocks {
     using test = typename Blocks::test;
+    using tile = open_receivers;
     struct placed {
         receiver_block r;
-        alignas(64) std::int32_t offsets[block], compared[block];
+        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< of those that are compared
     };
     const box_bounds& tree;
     Blocks every_texel;
@@ -12399,45 +11742,72 @@ struct hierarchical_blocks {
         const texel_bytes<const glm::vec2> memory(tree.bounds.view);
         const int before = tree.cells - 1, level = tree.level;
         const glm::ivec2 last = tree.last;
+        std::int32_t any = 0;
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            const std::int32_t compared = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
-            const std::int32_t x = every_texel.first(masked(receivers.x(i), compared));
-            const std::int32_t y = every_texel.first(masked(receivers.y(i), compared));
             at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            any |= at.compared[i];
+        }
+        at.any = any;
+        if (!any) return;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = every_texel.first(masked(at.r.x(i), at.compared[i]));
+            const std::int32_t y = every_texel.first(masked(at.r.y(i), at.compared[i]));
             at.offsets[i] =
                 memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
-            at.compared[i] = compared;
         }
         prefetch(memory, at.offsets, 1);
     }
 
     template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, tile& later, Isa) const {
         alignas(64) std::int32_t open[block];
+        if (!at.any) return light_all(visibility);
         if (ask_bounds<test>(tree, at.offsets, at.compared, at.r.zs, visibility, open))
-            out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(at.r, open, count, visibility, set); });
+            later.add(at.r, open, count, visibility);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void finish(tile& later, Isa set) const {
+        if (later.count > 0) out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(later, set); });
     }
 
 private:
-    /// Those that need the box.
     template <class Isa>
-    UMBRAGE_INLINE void count_open(const receiver_block& r, const std::int32_t* open, int count, float* visibility,
-                                   Isa set) const {
-        receiver_block rest;
+    UMBRAGE_INLINE void count_open(tile& open, Isa set) const {
+        Blocks reads = every_texel;
+        open.fill_last_block();
+        if (map_tile::helps(reads.map.stride, reads.side())) read_copy(open, reads.map);
         alignas(64) float shares[block];
-        int indices[block], found = 0;
-        for (int i = 0; i < count; ++i) {
-            indices[found] = i;
-            rest.set(found, r.x(i), r.y(i), r.z(i));
-            found -= open[i];
-        }
-        // Copies behind them: if all 64 boxes are in the map, none needs care.
-        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);
         typename Blocks::placed boxes;
-        every_texel.place(rest, boxes);
-        every_texel(boxes, found, shares, set);
-        for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
+        for (int from = 0; from < open.count; from += block) {
+            const int count = lesser(open.count - from, block);
+            reads.place(receiver_rows{open.xs + from, open.ys + from, open.zs + from}, boxes);
+            reads(boxes, count, shares, set);
+            for (int i = 0; i < count; ++i) *open.visibility[from + i] = shares[i];
+        }
+        open.count = 0;
+    }
+
+    /// Makes the map a copy of the texels that receivers ask for, and these relative to it, where they all fit.
+    UMBRAGE_INLINE void read_copy(tile& open, image_view<const float>& map) const {
+        glm::ivec2 first(every_texel.first(open.xs[0]), every_texel.first(open.ys[0])), last = first;
+        for (int from = 0; from < open.count; from += block)
+            for (int i = from; i < from + block; ++i) {
+                const glm::ivec2 at(every_texel.first(open.xs[i]), every_texel.first(open.ys[i]));
+                first = {lesser(first.x, at.x), lesser(first.y, at.y)};
+                last = {greater(last.x, at.x), greater(last.y, at.y)};
+            }
+        last += glm::ivec2(every_texel.loaded(), every_texel.side()) - 1;
+        if (!map_tile::holds(first, last)) return;
+        if (first.x < 0 || first.y < 0 || last.x >= map.size.x || last.y >= map.size.y) return;
+        open.texels.copy(map, first, last);
+        map = {open.texels.texels[0], last - first + 1, sizeof open.texels.texels[0]};
+        const glm::vec2 moved(first);
+        for (int from = 0; from < open.count; from += block)
+            for (int i = from; i < from + block; ++i) open.xs[i] -= moved.x, open.ys[i] -= moved.y;
     }
 };
 
@@ -12447,7 +11817,7 @@ struct hierarchical_disc_blocks {
     using test = block_test<Direction>;
     struct placed {
         typename disc_blocks<Direction>::placed points;
-        alignas(64) std::int32_t offsets[block];
+        alignas(64) std::int32_t offsets[block], any;
     };
     const box_bounds& tree;
     const disc_blocks<Direction>& every_point;
@@ -12459,6 +11829,9 @@ struct hierarchical_disc_blocks {
         const int before = tree.cells - 1, shift = 8 + tree.level, ahead = reached.before();
         const glm::ivec2 last = tree.last;
         every_point.locate(receivers, at.points, pixel_y);
+        at.any = 0;
+        for (int i = 0; i < block; ++i) at.any |= at.points.compared[i];
+        if (!at.any) return;
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i)
             at.offsets[i] = memory.offset(clamp_int(((at.points.x[i] + ahead) >> shift) + before, last.x),
@@ -12469,6 +11842,7 @@ struct hierarchical_disc_blocks {
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
         alignas(64) std::int32_t open[block];
+        if (!at.any) return light_all(visibility);
         if (ask_bounds<test>(tree, at.offsets, at.points.compared, at.points.z, visibility, open))
             every_point(at.points, count, visibility, set);
     }
@@ -13389,6 +12763,14 @@ public:
         });
     }
 
+    /// Rows first <= y < second that its triangles may cover; none: first >= second.
+    [[nodiscard]] glm::ivec2 covered_rows() const {
+        std::int32_t first = guard_band, last = 0;
+        for (int i = 0; i < count; ++i)
+            if (rows[i] > 0) first = lesser(first, first_y[i]), last = greater(last, first_y[i] + rows[i]);
+        return {first, last};
+    }
+
     [[nodiscard]] UMBRAGE_INLINE depth_plane plane(int i) const {
         const double a = z_[0][i], b = z_[1][i], c = z_[2][i];
         const double low = a < b ? a : b, high = a < b ? b : a;
@@ -13398,6 +12780,11 @@ public:
     /// Depth of the plane so many texels from the first, not limited to that of the corners.
     [[nodiscard]] UMBRAGE_INLINE double depth(int i, int x, int y) const { return depth_[i] + dx_[i] * x + dy_[i] * y; }
     [[nodiscard]] UMBRAGE_INLINE double corner_depth(int k, int i) const { return z_[k][i]; }
+    /// Of the plane there, which may differ by as much as its slopes were rounded.
+    [[nodiscard]] UMBRAGE_INLINE double depth_at_corner(int k, int i) const {
+        return depth(i, 0, 0) + dx_[i] * 0x1p-8 * (x_[k][i] - first_x[i] * subtexels - centre) +
+               dy_[i] * 0x1p-8 * (y_[k][i] - first_y[i] * subtexels - centre);
+    }
 
     /// Whether 32 bits hold the edges over the triangle's bounds, and some texels beyond.
     [[nodiscard]] UMBRAGE_INLINE bool is_small(int i) const { return side_[i] < 2048 * subtexels; }
@@ -13572,6 +12959,182 @@ private:
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
+// ---- umbrage/simd/raster/band_buffer.hpp
+// Rows of an image that are drawn to, in place or in a copy, where they do not contend for the cache.
+//
+//     band_buffer buffer;  // of a thread, for one band after the other
+//     buffer.begin(image.rows(first, last));
+//     for (const triangles& batch : ...) {
+//         buffer.expect(batch);
+//         draw<true>(buffer.rows(), first, batch);
+//     }
+//     buffer.finish();
+//
+// A column of texels takes a cache line of each row. Where rows start a multiple of 4096 bytes apart, all these belong
+// into one set of the usual L1 cache, of 64 sets of 8 lines: stores wait for their lines, which the loads of later rows
+// have evicted meanwhile, and tall triangles take two to four times as long.
+//
+
+namespace umbrage::detail {
+
+class band_buffer {
+public:
+    /// @param rows   which nobody else uses until finish()
+    void begin(const image_view<float>& rows) {
+        in_place_ = rows_ = rows;
+        left_ = bounds_a_texel(rows) * rows.size.x * rows.size.y;
+    }
+
+    /// Where they are now.
+    [[nodiscard]] const image_view<float>& rows() const { return rows_; }
+
+    /// Before triangles are drawn, from a batch after set_up(): copies the rows when these are the ones that make it
+    /// worth the time.
+    void expect(const triangles& batch) {
+        if (left_ <= 0) return;
+        for (int i = 0; i < batch.count; ++i) left_ -= std::int64_t(batch.rows[i]) * batch.columns[i];
+        if (left_ > 0) return;
+        constexpr std::size_t line = 64;
+        const std::size_t lines = ((row_bytes() + line - 1) / line) | 1;  // odd: 64 rows begin in as many sets
+        buffer_.resize(lines * line / sizeof(float) * std::size_t(rows_.size.y));
+        rows_ = {buffer_.data(), in_place_.size, static_cast<std::ptrdiff_t>(lines * line)};
+        copy(in_place_, rows_);
+    }
+
+    void finish() {
+        if (rows_.data != in_place_.data) copy(rows_, in_place_);
+    }
+
+private:
+    /// How many triangles' bounds a texel lies in, on average, when contention has cost as much time as copying there
+    /// and back does: in one set of the cache or, at less cost, in two. So the choice costs no more than the best one
+    /// once more. 0: rows do not contend, and 8 of them never do.
+    [[nodiscard]] static std::int64_t bounds_a_texel(const image_view<float>& rows) {
+        if (rows.size.y <= 8) return 0;
+        return rows.stride % 4096 == 0 ? 2 : rows.stride % 2048 == 0 ? 8 : 0;
+    }
+
+    [[nodiscard]] std::size_t row_bytes() const { return std::size_t(in_place_.size.x) * sizeof(float); }
+
+    void copy(const image_view<float>& from, const image_view<float>& to) const {
+        for (int y = 0; y < from.size.y; ++y) std::memcpy(to.row(y), from.row(y), row_bytes());
+    }
+
+    image_view<float> in_place_, rows_;
+    std::int64_t left_ = 0;  // texels in bounds until they are copied
+    std::vector<float, line_allocator<float>> buffer_;
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/raster/depth_rounding.hpp
+// Depths of texels side by side: two registers of doubles to one of floats, rounded to the nearest.
+//
+//     const depths_of_binade<8> depths(lowest);
+//     depths.count(first, second);  // the texels 0 .. 7, in the lanes in which it takes their depths
+//     depths.round(first, second, floats);
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Any depths, limited to a triangle's. Floats above 0 are in the order of their bits.
+template <int Lanes>
+class any_depths {
+public:
+    using ints = lanes_of<std::int32_t, Lanes>;
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    /// @param lowest,highest  normal numbers above 0
+    UMBRAGE_INLINE any_depths(double lowest, double highest)
+        : lowest_(bit_cast<std::int32_t>(static_cast<float>(lowest)) + ints{}),
+          highest_(bit_cast<std::int32_t>(static_cast<float>(highest)) + ints{}) {}
+
+    UMBRAGE_INLINE static void count(doubles& first, doubles& second) {
+        count_lanes<double, Lanes / 2>(first);
+        second = first + double(Lanes / 2);
+    }
+    UMBRAGE_INLINE void round(const doubles& first, const doubles& second, floats& depths) const {
+        narrow_lanes<float, Lanes>(first, second, depths);
+        ints bits = reinterpret_cast<ints>(depths);
+        keep_greatest(lowest_, bits);
+        keep_least(highest_, bits);
+        depths = reinterpret_cast<floats>(bits);
+    }
+
+private:
+    ints lowest_, highest_;
+};
+
+/// Depths from a power of two to the next, where floats are one step apart. A sum with a large number is rounded to
+/// that step, and the number is such that the sum's lower half then is the float: to convert doubles takes processors
+/// several times as long. Of other depths it makes anything.
+template <int Lanes>
+class depths_of_binade {
+public:
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    /// @param one   of the depths
+    UMBRAGE_INLINE explicit depths_of_binade(double one) {
+        const std::int32_t power = bit_cast<std::int32_t>(static_cast<float>(one)) & 0x7F800000, steps = 1 << 23;
+        large_ = (0x1.8p52 + (power - steps)) * (static_cast<double>(bit_cast<float>(power)) / steps);
+    }
+
+    /// Two of four texels are the first register's, which leaves the lower halves of both where a shuffle needs them.
+    UMBRAGE_INLINE static void count(doubles& first, doubles& second) {
+        [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+            first = doubles{double(I / 2 * 4 + I % 2)...};
+        }
+        (std::make_integer_sequence<int, Lanes / 2>{});
+        second = first + 2.0;
+    }
+    UMBRAGE_INLINE void round(const doubles& first, const doubles& second, floats& depths) const {
+        const doubles a = first + large_, b = second + large_;
+        [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+            shuffle<(I / 4 * 4 + I % 2 * 2 + I % 4 / 2 * Lanes)...>(reinterpret_cast<floats>(a),
+                                                                    reinterpret_cast<floats>(b), depths);
+        }
+        (std::make_integer_sequence<int, Lanes>{});
+    }
+
+private:
+    double large_;
+};
+
+/// Which triangles of a batch depths_of_binade is for: corners' depths as floats are normal numbers up to 1 with one
+/// exponent, and those of the plane there are the same floats, so that samples, which lie between, need no limit.
+class triangles_of_binade {
+public:
+    /// @param batch   after set_up()
+    UMBRAGE_INLINE explicit triangles_of_binade(const triangles& batch) {
+        using bits = std::int64_t;
+        constexpr bits least_normal = bit_cast<bits>(0x1p-126), one = bit_cast<bits>(1.0);
+        constexpr bool little = std::endian::native == std::endian::little;
+        for (int i = 0; i < block; ++i) {  // numbers above 0 are in the order of their bits, others below them
+            const bits a = bit_cast<bits>(batch.corner_depth(0, i)), b = bit_cast<bits>(batch.corner_depth(1, i));
+            const bits c = bit_cast<bits>(batch.corner_depth(2, i)), low = a < b ? a : b, high = a < b ? b : a;
+            const bits lowest = low < c ? low : c, highest = high > c ? high : c;
+            const auto first = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(lowest)));
+            const auto last = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(highest)));
+            has_[i] = static_cast<std::int32_t>(-bits((lowest >= least_normal) & (highest <= one))) &
+                      -(std::int32_t(little) & std::int32_t(((first ^ last) & 0x7F800000) == 0));
+        }
+        for (int k = 0; k < 3; ++k)
+            for (int i = 0; i < block; ++i)
+                has_[i] &= -std::int32_t(bit_cast<std::int32_t>(static_cast<float>(batch.depth_at_corner(k, i))) ==
+                                         bit_cast<std::int32_t>(static_cast<float>(batch.corner_depth(k, i))));
+    }
+    [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return has_[i] != 0; }
+
+private:
+    alignas(64) std::int32_t has_[block];  // masks
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
 // ---- umbrage/simd/raster/small_triangles.hpp
 // Triangles of a few texels, all of a batch at once: texel by texel of their bounds, each a loop over the triangles.
 //
@@ -13603,7 +13166,7 @@ public:
             lowest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(lowest)));
             highest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(highest)));
         }
-        std::int32_t count = 0, most_columns = 0, most_rows = 0;
+        std::int32_t count = 0, drawn = 0, most_columns = 0, most_rows = 0;
         const std::int32_t used = batch.count;
         for (int i = 0; i < block; ++i) {
             const std::int32_t columns = batch.columns[i], rows = batch.rows[i];
@@ -13613,12 +13176,16 @@ public:
             last_x_[i] = ((columns - 1) & is_small) | ~is_small;
             last_y_[i] = ((rows - 1) & is_small) | ~is_small;
             count -= is_small;
+            drawn += std::int32_t(i < used) & std::int32_t(rows > 0);
             most_columns = greater(most_columns, columns & is_small);
             most_rows = greater(most_rows, rows & is_small);
         }
         if (count >= enough) columns_ = most_columns, rows_ = most_rows;
+        has_all_ = drawn == (count >= enough ? count : 0);
     }
 
+    /// Whether no others are drawn.
+    [[nodiscard]] UMBRAGE_INLINE bool has_all() const { return has_all_; }
     [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return columns_ > 0 && last_x_[i] >= 0; }
 
     /// @param sample   (int x, int y, float depth): a covered texel, whatever the order
@@ -13677,7 +13244,8 @@ private:
     }();
 
     const triangles& batch_;
-    int columns_ = 0, rows_ = 0;                               // the most that one has
+    int columns_ = 0, rows_ = 0;  // the most that one has
+    bool has_all_ = false;
     alignas(64) std::int32_t last_x_[block], last_y_[block];   // from the first; -1: it is none
     alignas(64) std::int32_t lowest_[block], highest_[block];  // depths, as bits of floats
 };
@@ -13689,7 +13257,7 @@ UMBRAGE_END_STRICT_MATH
 // Triangles into a depth image: the nearer of what is there and the plane's depth. Small ones are drawn all of a batch
 // at once, the others one by one, in columns of some texels' width.
 //
-//     draw<true>(depth, flipped, batch);
+//     draw<true>(rows, first, batch);
 //
 
 UMBRAGE_STRICT_MATH
@@ -13699,10 +13267,12 @@ namespace umbrage::detail {
 template <bool Forward, int Lanes>
 class depth_writer {
 public:
-    UMBRAGE_INLINE depth_writer(image_view<float> depth, bool flipped)
-        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
-          up_(flipped ? -depth.stride : depth.stride),
-          width_(depth.size.x),
+    /// @param rows    of the image from the first on, upwards; all that the triangles cover
+    UMBRAGE_INLINE depth_writer(image_view<float> rows, int first)
+        : bottom_(reinterpret_cast<std::byte*>(rows.data)),
+          up_(rows.stride),
+          first_(first),
+          width_(rows.size.x),
           skew_(static_cast<int>(reinterpret_cast<std::uintptr_t>(bottom_) / sizeof(float) % Lanes)) {}
 
     /// The triangles of a batch.
@@ -13711,9 +13281,11 @@ public:
         for (int i = 0; i < batch.count; ++i)
             if (small.has(i)) expect(batch, i);
         small.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
+        if (small.has_all()) return;
+        const triangles_of_binade of_binade(batch);
         for (int i = 0; i < batch.count; ++i) {
             if (i + 1 < batch.count) expect(batch, i + 1);
-            if (!small.has(i)) draw(batch, i);
+            if (!small.has(i)) draw(batch, i, of_binade.has(i));
         }
     }
 
@@ -13730,13 +13302,16 @@ private:
         for (int y = batch.first_y[i]; y < last; ++y) prefetch_line(row(y) + batch.first_x[i]);
     }
 
-    UMBRAGE_INLINE void draw(const triangles& batch, int i) const {
+    UMBRAGE_INLINE void draw(const triangles& batch, int i, bool is_of_binade) const {
         if (batch.rows[i] == 0) return;
         const depth_plane plane = batch.plane(i);
         if (Forward ? plane.lowest > 1.0 : plane.highest < 0.0) return;
         if constexpr (has_lanes)  // depths of one sign, and none that is flushed: their bits are in their order
-            if (width_ >= Lanes && plane.lowest >= 0x1p-126 && plane.highest <= 1.0)
-                return draw_columns(batch, i, plane);
+            if (width_ >= Lanes && plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
+                if (is_of_binade) draw_columns(batch, i, plane, depths_of_binade<Lanes>(plane.lowest));
+                else draw_columns(batch, i, plane, any_depths<Lanes>(plane.lowest, plane.highest));
+                return;
+            }
         draw_rows(batch, i, plane);
     }
 
@@ -13776,19 +13351,20 @@ private:
     }
 
     /// Column by column, in rows of a block each; the depths are within (0, 1] and normal numbers.
-    UMBRAGE_INLINE void draw_columns(const triangles& batch, int i, const depth_plane& plane) const {
+    /// @param depths   rounds them, see depth_rounding.hpp
+    template <class Depths>
+    UMBRAGE_INLINE void draw_columns(const triangles& batch, int i, const depth_plane& plane,
+                                     const Depths& depths) const {
         // Columns begin where blocks do in memory: what two triangles share is then whole blocks, which the processor
         // hands from a store to the next load.
         const int first_x = batch.first_x[i], first_y = batch.first_y[i], rows = batch.rows[i];
         const int from = ((first_x + skew_) & -Lanes) - skew_, end = first_x + batch.columns[i];
         const std::int32_t right[] = {batch.right[0][i], batch.right[1][i], batch.right[2][i]};
         const std::int32_t up[] = {batch.up[0][i], batch.up[1][i], batch.up[2][i]};
-        const ints lowest = bit_cast<std::int32_t>(static_cast<float>(plane.lowest)) + ints{};
-        const ints highest = bit_cast<std::int32_t>(static_cast<float>(plane.highest)) + ints{};
         ints ramp;
         count_lanes<std::int32_t, Lanes>(ramp);
-        doubles ramp_low;
-        count_lanes<double, Lanes / 2>(ramp_low);
+        doubles ramp_first, ramp_second;
+        depths.count(ramp_first, ramp_second);
 
         // Texels x .. x_end - 1 of `height` rows; e: the edges at x and y.
         const double dx = plane.dx, dy = plane.dy, corner = plane.z;
@@ -13820,20 +13396,17 @@ private:
                     f1 += right[1] * moved + up[1] * first;
                     f2 += right[2] * moved + up[2] * first;
                 }
-                doubles z_low = z + dx * (ramp_low + double(within - first_x));
-                doubles z_high = z + dx * (ramp_low + double(within - first_x + Lanes / 2));
+                doubles z_first = z + dx * (ramp_first + double(within - first_x));
+                doubles z_second = z + dx * (ramp_second + double(within - first_x));
                 std::byte* at = reinterpret_cast<std::byte*>(row(y + first) + within);
                 for (int rest = last - first; rest > 0; --rest, at += stride) {
-                    floats rounded, there;
-                    narrow_lanes<float, Lanes>(z_low, z_high, rounded);
-                    ints here = reinterpret_cast<ints>(rounded);
-                    here = here < lowest ? lowest : here;
-                    here = here > highest ? highest : here;
+                    floats here, there;
+                    depths.round(z_first, z_second, here);
                     load_lanes(at, there);
-                    take_nearer(reinterpret_cast<floats>(here), f0 | f1 | f2, there);
+                    take_nearer(here, f0 | f1 | f2, there);
                     store_lanes(there, at);
                     f0 += up0, f1 += up1, f2 += up2;
-                    z_low += dy, z_high += dy;
+                    z_first += dy, z_second += dy;
                 }
             }
         };
@@ -13852,24 +13425,64 @@ private:
             }
     }
 
-    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const {
+        return reinterpret_cast<float*>(bottom_ + (y - first_) * up_);
+    }
 
     std::byte* bottom_;
     std::ptrdiff_t up_;
-    int width_, skew_;
+    int first_, width_, skew_;
 };
 
 template <bool Forward>
-void draw(image_view<float> depth, bool flipped, const triangles& batch) {
+void draw(image_view<float> rows, int first, const triangles& batch) {
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr isa in_use = decltype(set)::value;
         constexpr int lanes = in_use == isa::base ? 4 : in_use == isa::avx2 ? 8 : 16;
-        depth_writer<Forward, lanes>(depth, flipped).draw(batch);
+        depth_writer<Forward, lanes>(rows, first).draw(batch);
     });
 }
 
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/raster/depth_target.hpp
+// Where batches are drawn to: a depth image, or band by band, each by one thread.
+//
+//     const depth_target<true> target(depth);
+//     target(batch);
+//     depth_target<true> own = target;  // a thread's
+//     own.in_band({first, last}, [&](const auto& draw) { draw(batch); });
+//
+
+namespace umbrage::detail {
+
+template <bool Forward>
+class depth_target {
+public:
+    /// @param image   row 0 at the bottom
+    explicit depth_target(image_view<float> image) : image_(image) {}
+
+    void operator()(const triangles& batch) const { draw<Forward>(image_, 0, batch); }
+
+    /// @param rows   first <= y < second, at least one, that nobody else draws to meanwhile
+    /// @param use    (draw), which calls draw(const triangles&) for batches within these rows
+    template <class Use>
+    void in_band(const glm::ivec2& rows, const Use& use) {
+        buffer_.begin(image_.rows(rows.x, rows.y));
+        use([&](const triangles& batch) {
+            buffer_.expect(batch);
+            draw<Forward>(buffer_.rows(), rows.x, batch);
+        });
+        buffer_.finish();
+    }
+
+private:
+    image_view<float> image_;
+    band_buffer buffer_;
+};
+
+}  // namespace umbrage::detail
 
 // ---- umbrage/simd/raster/clip.hpp
 // The part of a triangle that can be drawn: in front of the near plane, within the guard band.
@@ -13929,6 +13542,41 @@ template <class = on_use>
 
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/raster/row_locks.hpp
+// Rows of an image to which several threads draw: one thread at a time to the same ones.
+//
+//     row_locks locks(height);
+//     locks.hold({first, last}, [&] { ... });
+//
+
+namespace umbrage::detail {
+
+class row_locks {
+public:
+    explicit row_locks(int height) : locks_(std::size_t(height / rows_a_lock + 1)) {}
+
+    /// @param rows   first <= y < second, at least one
+    /// @param use    (); must not throw
+    template <class Use>
+    void hold(const glm::ivec2& rows, const Use& use) {
+        const std::size_t first = std::size_t(rows.x / rows_a_lock), last = std::size_t((rows.y - 1) / rows_a_lock);
+        // From the first on, so that of threads that wait for each other's the one with the most goes on.
+        for (std::size_t i = first; i <= last; ++i) take_lock(locks_[i].held);
+        use();
+        for (std::size_t i = first; i <= last; ++i) store_release(0, locks_[i].held);
+    }
+
+private:
+    static constexpr int rows_a_lock = 16;
+
+    struct alignas(64) lock {  // a cache line each: threads at other rows take none from each other
+        int held = 0;
+    };
+    std::vector<lock> locks_;
+};
+
+}  // namespace umbrage::detail
 
 // ---- umbrage/simd/raster/snapped_chunk.hpp
 // Some triangles of a mesh in some instances, their vertices projected and snapped: what fits a cache at a time.
@@ -14055,48 +13703,6 @@ public:
         return vertices_[at.instance * stride_ + vertex];
     }
 
-    /// What holds of all corners of triangles that follow each other.
-    struct corner_range {
-        std::int32_t lowest, highest;  ///< in 1/256 texel, where none is outside of planes
-        bool are_inside;               ///< of all planes
-        unsigned outside;              ///< planes that all are outside of
-    };
-    /// @param last   above first
-    [[nodiscard]] corner_range corners_of(unsigned first, unsigned last) const {
-        corner_range all;
-        on_best_isa([&](auto) UMBRAGE_INLINE {
-            using words = lanes_of<std::int32_t, 4>;  // of a vertex: x, y, and the halves of its depth
-            static_assert(sizeof(words) == sizeof(snapped_vertex));
-            words least, most, common;
-            load_lanes(&vertex(place_of(first), 0), least);
-            most = common = least;
-            const auto include = [&](const snapped_vertex& corner) UMBRAGE_INLINE {
-                words v;
-                load_lanes(&corner, v);
-                keep_least(v, least);
-                keep_greatest(v, most);
-                common &= v;
-            };
-            if (instances_.size() > 1) {
-                for (unsigned i = first; i < last; ++i)
-                    for (glm::length_t k = 0; k < 3; ++k) include(vertex(place_of(i), k));
-            } else if (by_corner_) {
-                for (std::size_t i = 3 * std::size_t(first); i < 3 * std::size_t(last); ++i) include(vertices_[i]);
-            } else {
-                const snapped_vertex* const vertices = vertices_.data();
-                const glm::uvec3* const t = mesh_.triangles.data() + first_;
-                for (unsigned i = first; i < last; ++i) {
-                    include(vertices[t[i].x - lowest_]);
-                    include(vertices[t[i].y - lowest_]);
-                    include(vertices[t[i].z - lowest_]);
-                }
-            }
-            // Outside of planes is leftmost, see outside_vertex().
-            all = {least[1], most[1], !is_outside(least[0]), is_outside(most[0]) ? unsigned(common[1]) : 0u};
-        });
-        return all;
-    }
-
     /// A corner before it was snapped.
     [[nodiscard]] glm::dvec4 homogeneous(const drawn_triangle& at, glm::length_t corner) const {
         return instances_[at.instance].homogeneous(mesh_.positions[mesh_.triangles[at.triangle][corner]]);
@@ -14123,7 +13729,7 @@ UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/simd/raster/snapped_mesh.hpp
 // Instances of a mesh on the grid of an image, a chunk of triangles at a time: their vertices projected and snapped,
-// they themselves clipped and handed out in batches, in the mesh's order or band by band of the image's rows.
+// they themselves clipped and handed out in batches, in the mesh's order or so that threads draw side by side.
 //
 //     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, near_plane::clips);
 //     snapped.for_each_chunk(serial{}, [&] {
@@ -14147,7 +13753,7 @@ public:
         require_drawable(size);
         if (mesh.triangles.empty()) return;
         indices_.resize((mesh.triangles.size() + piece - 1) / piece);
-        parallel(static_cast<int>(indices_.size()), [&](int first, int last) {
+        in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {
             const glm::uvec3* const triangles = mesh.triangles.data();
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
                 indices_[i] =
@@ -14177,34 +13783,32 @@ public:
             }
     }
 
-    /// The chunk in the mesh's order, all over the image.
+    /// The chunk in the mesh's order.
     /// @param draw   (const triangles&)
     template <class Draw>
     void for_each_batch(const Draw& draw) const {
-        in_batches({{0, 0}, size_}, draw, [&](const auto& add) {
-            for (unsigned i = 0; i < chunk_.count(); ++i) {
-                const drawn_triangle at = chunk_.place_of(i);
-                const corners c = corners_of(at);
-                if (c.crossed == 0) add(c.a, c.b, c.c, unsigned(at.triangle));
-                else for_each_part(at, c, add);
-            }
-        });
+        for_each_batch_of(0, chunk_.count(), draw);
     }
 
-    /// The chunk band by band, where that keeps texels in the cache or lets threads draw side by side; else as above.
-    template <class ParallelFor, class Draw>
-    void for_each_batch_in_bands(ParallelFor&& parallel, const Draw& draw) {
+    /// The chunk in an order that keeps texels in the cache, by threads of which no two draw to the same row at once.
+    /// @param target   see depth_target.hpp; to draw a batch must not throw
+    template <class ParallelFor, class Target>
+    void for_each_batch(ParallelFor&& parallel, const Target& target) {
         const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
-        const bool coherent = is_coherent(rows);
-        if (is_serial<ParallelFor> && (bands == 1 || coherent)) return for_each_batch(draw);
-        const unsigned length = coherent ? run_length : 1;
-        sort_into_bands(rows, bands, length, parallel);
+        if (bands == 1 || is_coherent(rows)) {
+            if constexpr (is_serial<ParallelFor>) return for_each_batch(target);
+            else return for_each_batch_under_locks(parallel, target);
+        }
+        sort_into_bands(rows, bands, parallel);
         parallel(bands, [&](int first, int last) {
+            Target own = target;
             for (int band = first; band < last; ++band) {
                 const texel_bounds bounds{{0, band * rows}, {size_.x, lesser((band + 1) * rows, size_.y)}};
-                in_batches(bounds, draw, [&](const auto& add) {
-                    for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
-                        add_from(lists_[i], length, bounds, add);
+                own.in_band({bounds.first.y, bounds.last.y}, [&](const auto& draw) {
+                    in_batches(bounds, draw, [&](const auto& add) {
+                        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
+                            add_from(lists_[i], add);
+                    });
                 });
             }
         });
@@ -14214,19 +13818,11 @@ private:
     template <class ParallelFor>
     static constexpr bool is_serial = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
     static constexpr int band_texels = 1 << 16, band_rows = 64;
-    static constexpr unsigned piece = 1 << 16;  // triangles that one thread reads or sorts at a time
+    static constexpr unsigned piece = 1 << 16;  // triangles that a thread reads or sorts at a time
     static constexpr std::size_t several_pieces = 16 * piece;
-    static constexpr unsigned many = 64, run_length = 16;         // looked at; sorted: longer ones lie in more bands
+    static constexpr unsigned handful = 1 << 10;                  // that one draws at a time
     static constexpr unsigned before = 1u << projection::z_near;  // the bit of that plane
 
-    /// Triangles of the chunk that follow each other.
-    struct run {
-        unsigned first, last;
-        [[nodiscard]] unsigned size() const { return last - first; }
-    };
-    [[nodiscard]] run run_from(unsigned first, unsigned length) const {
-        return {first, lesser(first + length, chunk_.count())};
-    }
     /// Of as many triangles, or of those that are left, from the first of a piece on.
     [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
         index_range all;
@@ -14280,12 +13876,37 @@ private:
             draw(batch);
             batch.count = 0;
         };
-        for_each([&](const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c, unsigned triangle)
-                     UMBRAGE_INLINE {
-                         batch.add(a, b, c, triangle);
-                         if (batch.full()) finish();
-                     });
+        for_each([&](const auto& a, const auto& b, const auto& c, unsigned triangle) UMBRAGE_INLINE {
+            batch.add(a, b, c, triangle);
+            if (batch.full()) finish();
+        });
         if (batch.count > 0) finish();
+    }
+
+    template <class Draw>
+    void for_each_batch_of(unsigned first, unsigned last, const Draw& draw) const {
+        in_batches({{0, 0}, size_}, draw, [&](const auto& add) {
+            for (unsigned i = first; i < last; ++i) {
+                const drawn_triangle at = chunk_.place_of(i);
+                const corners c = corners_of(at);
+                if (c.crossed == 0) add(c.a, c.b, c.c, unsigned(at.triangle));
+                else for_each_part(at, c, add);
+            }
+        });
+    }
+
+    /// By threads, each of which draws triangles that follow each other: they cover few rows, so that threads seldom
+    /// wait for each other.
+    template <class ParallelFor, class Draw>
+    void for_each_batch_under_locks(ParallelFor&& parallel, const Draw& draw) const {
+        row_locks locks(size_.y);
+        parallel(static_cast<int>((chunk_.count() + handful - 1) / handful), [&](int first, int last) {
+            for_each_batch_of(unsigned(first) * handful, lesser(unsigned(last) * handful, chunk_.count()),
+                              [&](const triangles& batch) {
+                                  const glm::ivec2 rows = batch.covered_rows();
+                                  if (rows.x < rows.y) locks.hold(rows, [&] { draw(batch); });
+                              });
+        });
     }
 
     /// What may be seen in a band, of a piece.
@@ -14294,86 +13915,72 @@ private:
             snapped_vertex a, b, c;
             unsigned triangle;
         };
-        std::vector<unsigned> runs;  // where they begin; without triangles that cross planes
-        std::vector<part> parts;     // what is left of those
+        std::vector<unsigned> whole;  // triangles of the chunk
+        std::vector<part> parts;      // what is left of those that cross planes
     };
 
     template <class Add>
-    void add_from(const band_list& list, unsigned length, const texel_bounds& bounds, const Add& add) const {
-        const int bottom = bounds.first.y * subtexels, top = bounds.last.y * subtexels;
-        for (std::size_t k = 0; k < list.runs.size(); ++k) {
-            if (length == 1) expect(list.runs, k);
-            const run some = run_from(list.runs[k], length);
-            for (unsigned i = some.first; i < some.last; ++i) {
-                const drawn_triangle at = chunk_.place_of(i);
-                const auto [a, b, c, crossed] = corners_of(at);
-                if (crossed == 0 && greater(a.y, b.y, c.y) >= bottom && lesser(a.y, b.y, c.y) <= top)
-                    add(a, b, c, unsigned(at.triangle));
-            }
+    void add_from(const band_list& list, const Add& add) const {
+        for (std::size_t k = 0; k < list.whole.size(); ++k) {
+            expect(list.whole, k);
+            const drawn_triangle at = chunk_.place_of(list.whole[k]);
+            const corners c = corners_of(at);
+            add(c.a, c.b, c.c, unsigned(at.triangle));
         }
         for (const auto& part : list.parts) add(part.a, part.b, part.c, part.triangle);
     }
 
-    /// Whether runs of many triangles lie in few bands, by a look at some.
+    /// Whether triangles that follow each other lie in few bands, by a look at some.
     [[nodiscard]] bool is_coherent(int rows_a_band) const {
-        constexpr unsigned looks = 16;
+        constexpr unsigned looks = 16, many = 64;
         const unsigned step = greater(chunk_.count() / looks, many);
         int covered = 0, allowed = 0;
-        for (unsigned i = 0; i < chunk_.count(); i += step, allowed += 2 * rows_a_band) {
-            const glm::ivec2 some = rows(run_from(i, many), [](const auto&...) {});
-            covered += greater(some.y - some.x, 0);
+        for (unsigned first = 0; first < chunk_.count(); first += step, allowed += 2 * rows_a_band) {
+            std::int32_t lowest = guard_band * subtexels, highest = -lowest;
+            for (unsigned i = first; i < lesser(first + many, chunk_.count()); ++i) {
+                const corners c = corners_of(chunk_.place_of(i));
+                if (c.crossed != 0) continue;
+                lowest = lesser(lowest, c.a.y, c.b.y, c.c.y), highest = greater(highest, c.a.y, c.b.y, c.c.y);
+            }
+            const glm::ivec2 rows = rows_between(lowest, highest);
+            covered += greater(rows.y - rows.x, 0);
         }
         return covered <= allowed;
     }
 
-    /// Rows first <= y < last that triangles may cover, or none. Without those that cross planes, whose parts may lie
-    /// beyond their corners' rows: where corners are far, by rounding.
-    /// @param use   (a, b, c, unsigned triangle), for what is drawn of those
-    template <class Use>
-    [[nodiscard]] glm::ivec2 rows(const run& some, const Use& use) const {
-        if (some.size() > 1) {  // registers pay for many
-            const auto all = chunk_.corners_of(some.first, some.last);
-            if (all.are_inside) return rows_between(all.lowest, all.highest);
-            if (is_out_of_sight(all.outside)) return {0, 0};
-        }
-        std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
-        for (unsigned i = some.first; i < some.last; ++i) {
-            const drawn_triangle at = chunk_.place_of(i);
-            const corners c = corners_of(at);
-            if (c.crossed != 0) for_each_part(at, c, use);
-            else lowest = lesser(lowest, c.a.y, c.b.y, c.c.y), highest = greater(highest, c.a.y, c.b.y, c.c.y);
-        }
-        return lowest > highest ? glm::ivec2(0, 0) : rows_between(lowest, highest);
-    }
+    /// Rows first <= y < last that triangles may cover.
     [[nodiscard]] glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) const {
         const auto between = triangles::rows_between(lowest, highest);
         return {greater(between.x, 0), lesser(between.y, size_.y)};
     }
 
-    /// Runs of a length into lists of the bands in which they may be seen.
+    /// Triangles into lists of the bands in which they may be seen.
     template <class ParallelFor>
-    void sort_into_bands(int rows_a_band, int bands, unsigned length, ParallelFor&& parallel) {
+    void sort_into_bands(int rows_a_band, int bands, ParallelFor&& parallel) {
         const unsigned pieces = (chunk_.count() + piece - 1) / piece;
-        for (band_list& list : lists_) list.runs.clear(), list.parts.clear();
+        for (band_list& list : lists_) list.whole.clear(), list.parts.clear();
         lists_.resize(std::size_t(pieces) * std::size_t(bands));
-        parallel(static_cast<int>(pieces), [&](int from, int to) {
-            for (unsigned i = unsigned(from) * piece; i < lesser(unsigned(to) * piece, chunk_.count()); i += length) {
+        in_pieces(static_cast<int>(pieces), parallel, [&](int from, int to) {
+            for (unsigned i = unsigned(from) * piece; i < lesser(unsigned(to) * piece, chunk_.count()); ++i) {
                 band_list* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
-                const auto put = [&](const glm::ivec2& covered, auto band_list::*kind, const auto& what) {
+                const auto put = [&](const auto& a, const auto& b, const auto& c, auto band_list::*kind,
+                                     const auto& what) {
+                    const glm::ivec2 covered = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
                     for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
                         (lists[band].*kind).push_back(what);
                 };
                 const auto keep = [&](const auto& a, const auto& b, const auto& c, unsigned triangle) {
-                    const glm::ivec2 covered = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
-                    put(covered, &band_list::parts, typename band_list::part{a, b, c, triangle});
+                    put(a, b, c, &band_list::parts, typename band_list::part{a, b, c, triangle});
                 };
-                put(rows(run_from(i, length), keep), &band_list::runs, i);
+                const drawn_triangle at = chunk_.place_of(i);
+                const corners c = corners_of(at);
+                if (c.crossed == 0) put(c.a, c.b, c.c, &band_list::whole, i);
+                else for_each_part(at, c, keep);
             }
         });
     }
 
-    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the chunk. Inlined for
-    /// the reason that prefetch_line() gives.
+    /// Prefetches what comes after the k-th of a list, whose triangles lie anywhere. Inlined: see prefetch_line().
     UMBRAGE_INLINE void expect(const std::vector<unsigned>& list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) prefetch_line(&mesh_.triangles[chunk_.place_of(list[k + later]).triangle]);
@@ -14424,12 +14031,11 @@ template <class ParallelFor>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> to_clip,
                      clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
     snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel);
-    const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
+    if (clip.origin == texture_origin::top && !depth.empty())
+        depth = {depth.row(depth.size.y - 1), depth.size, -depth.stride};
     snapped.for_each_chunk(parallel, [&] {
-        snapped.for_each_batch_in_bands(parallel, [&](const triangles& batch) {
-            if (forward) draw<true>(depth, flipped, batch);
-            else draw<false>(depth, flipped, batch);
-        });
+        if (clip.direction == depth_direction::forward) snapped.for_each_batch(parallel, depth_target<true>(depth));
+        else snapped.for_each_batch(parallel, depth_target<false>(depth));
     });
 }
 
@@ -15941,9 +15547,11 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
     const bool large = past_cache(out);
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr unsigned ring = 4;  // blocks on their way
+        constexpr bool in_tiles = requires { typename Blocks::tile; };
         typename Blocks::placed placed[ring];
-        alignas(64) float visibility[block];
-        block_walk ahead{0, first, out.size.x}, at = ahead;
+        typename tile_of<Blocks>::type tile;
+        alignas(64) float visibility[tile.rows][block];
+        block_walk ahead{0, first, out.size.x, tile.rows, last}, at = ahead;
         for (unsigned n = 0; at.y < last; ++n) {
             if (ahead.y < last) {
                 prefetch(receivers, ahead);
@@ -15955,11 +15563,19 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
                 ahead.step();
             }
             if (n + 1 < ring) continue;
-            blocks(placed[(n + 1) % ring], at.count(), visibility, set);
-            float* const to = out.row(at.y) + at.x;
-            if (large && at.x == 0) prefetch_rest(to, out.size.x);
-            if (large && at.count() == block) stream_block(to, visibility);
-            else copy_floats(to, visibility, at.count());
+            float* const to_tile = visibility[at.y - at.first];
+            if constexpr (in_tiles) blocks(placed[(n + 1) % ring], at.count(), to_tile, tile, set);
+            else blocks(placed[(n + 1) % ring], at.count(), to_tile, set);
+            if (at.ends_tile()) {
+                if constexpr (in_tiles) blocks.finish(tile, set);
+                for (int y = at.first; y <= at.y; ++y) {
+                    const float* const from = visibility[y - at.first];
+                    float* const to = out.row(y) + at.x;
+                    if (large && at.x == 0) prefetch_rest(to, out.size.x);
+                    if (large && at.count() == block) stream_block(to, from);
+                    else copy_floats(to, from, at.count());
+                }
+            }
             at.step();
         }
     });
@@ -16763,6 +16379,141 @@ void page_visibility(const page_map<typename Encoding::texel>& map, const Encodi
 
 }  // namespace umbrage
 
+// ---- umbrage/filter/prefiltered/prefilters.hpp
+// Prefiltered maps as values: what a texel is, how depth becomes one, what a mean of texels says. One list, which
+// functions over images, tools and tables walk.
+//
+//     umbrage::prefilters::evsm4 filter{umbrage::make_evsm({.exponent = 30.0f})};
+//     glm::vec4 texel = filter.encode(depth);
+//     float visibility = filter.decode(blurred, receiver);
+//
+
+namespace umbrage::prefilters {
+
+/// Depth and its square: two floats of 32 bits. Light bleeds through behind casters that lie behind each other.
+struct vsm {
+    using texel = glm::vec2;
+    static constexpr literal name = "vsm";
+    static constexpr const glsl::snippet *writer = &glsl::encode_vsm, *snippet = &glsl::vsm;
+
+    float min_variance = 1e-6f;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_vsm(depth, cleared_depth(direction)); }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_vsm(m, receiver, min_variance, cleared_depth(direction));
+    }
+};
+
+/// One power of depth. Light bleeds through where a lit surface lies behind the receiver in the same window.
+struct esm {
+    using texel = float;
+    static constexpr literal name = "esm";
+    static constexpr const glsl::snippet *writer = &glsl::encode_esm, *snippet = &glsl::esm;
+
+    esm_settings settings{};
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return encode_esm(depth, settings.exponent, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_esm(m, receiver, settings.exponent, cleared_depth(direction));
+    }
+};
+
+/// A power of depth and its square.
+struct evsm2 {
+    using texel = glm::vec2;
+    static constexpr literal name = "evsm2";
+    static constexpr const glsl::snippet *writer = &glsl::encode_evsm2, *snippet = &glsl::evsm2;
+
+    evsm_parameters parameters = make_evsm({});
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return encode_evsm2(depth, parameters.exponents.x, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_evsm2(m, receiver, parameters.exponents.x, parameters.deviations.x, cleared_depth(direction));
+    }
+};
+
+/// A growing and a falling power, and their squares: the least light of those with moments of two depths.
+struct evsm4 {
+    using texel = glm::vec4;
+    static constexpr literal name = "evsm4";
+    static constexpr const glsl::snippet *writer = &glsl::encode_evsm4, *snippet = &glsl::evsm4;
+
+    evsm_parameters parameters = make_evsm({});
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return encode_evsm4(depth, parameters.exponents, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_evsm4(m, receiver, parameters.exponents, parameters.deviations, cleared_depth(direction));
+    }
+};
+
+/// Four moments in floats of 32 bits.
+struct msm {
+    using texel = glm::vec4;
+    static constexpr literal name = "msm";
+    static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm;
+
+    glm::vec2 bias = msm_bias_32;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
+        return decode_msm(b, receiver, bias, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
+};
+
+/// Four moments for channels of 16 bits.
+struct msm_turned {
+    using texel = glm::vec4;
+    static constexpr literal name = "msm_turned";
+    static constexpr const glsl::snippet *writer = &glsl::turn_moments, *snippet = &glsl::msm_turned;
+
+    glm::vec2 bias = msm_bias_16;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return turn_moments(encode_msm(depth, cleared_depth(direction)));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel o, float receiver) const {
+        return decode_msm(turn_moments_back(o), receiver, bias, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel o) const { return bias_moments(turn_moments_back(o), bias); }
+};
+
+/// Four moments in floats of 32 bits, of depths known to lie in [0, 1].
+struct msm_hausdorff {
+    using texel = glm::vec4;
+    static constexpr literal name = "msm_hausdorff";
+    static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm_hausdorff;
+
+    glm::vec2 bias = msm_bias_32;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
+        return decode_msm_hausdorff(b, receiver, bias, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
+    /// Visibility from decode_msm's.
+    [[nodiscard]] UMBRAGE_INLINE static float within(float plain, const glm::vec4& moments, float forward) {
+        return detail::lit_within(plain, moments, forward);
+    }
+};
+
+using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff>;
+
+}  // namespace umbrage::prefilters
+
 // ---- umbrage/images/prefilter.hpp
 // Whole prefiltered maps: depth to moments, their mip chain, and what an image of receivers sees of them.
 //
@@ -17021,7 +16772,7 @@ struct stability_report {
 template <class Frame>
 [[nodiscard]] stability_report measure_stability(int frames, std::size_t points, Frame&& frame) {
     detail::require(frames >= 1, "measure_stability", "frames", "must be above 0");
-    std::vector<std::vector<placed_point>> first;  // by map, then by point
+    std::vector<placed_point> first;  // of a map, point by point
     std::vector<char> compared(points), changed(points);
     stability_report report;
     for (int i = 0; i < frames; ++i) {
@@ -17029,9 +16780,9 @@ template <class Frame>
         for (std::size_t k = 0; k < points; ++k) {
             const placed_point now = place(k);
             if (now.map < 0) continue;
-            const auto map = static_cast<std::size_t>(now.map);
-            if (map >= first.size()) first.resize(map + 1, std::vector<placed_point>(points));
-            placed_point& then = first[map][k];
+            const std::size_t before = points * static_cast<std::size_t>(now.map);
+            if (before >= first.size()) first.resize(before + points);
+            placed_point& then = first[before + k];
             if (then.map < 0) {
                 then = now;
                 continue;
@@ -17674,30 +17425,32 @@ template <real T>
     return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
 }
 
-/// What a map sees of a body within planes of the map's space.
-/// @return   nothing where some of it does not lie before w = 0
+/// Least and greatest depth in a map of a body within planes of the map's space; infinity and -infinity where there is
+/// none of it.
+/// @return   -infinity and infinity, around which no map can be laid, where some of it does not lie before w = 0
 template <class = on_use>
-[[nodiscard]] std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
-                                                std::vector<glm::dvec4> planes) {
+[[nodiscard]] glm::dvec2 depths_within(const glm::dmat4& to_map, const polyhedron& body,
+                                       std::vector<glm::dvec4> planes) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
-    extent all;
+    double least = infinity, greatest = -infinity;
     for (const polyhedron::face& face : body.faces()) {
         std::vector<glm::dvec3> polygon = face.corners;
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
         for (const glm::dvec3& p : polygon) {
             const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-            if (!(h.w > 0.0)) return {};
-            all.low = glm::min(all.low, glm::dvec3(h) / h.w), all.high = glm::max(all.high, glm::dvec3(h) / h.w);
+            if (!(h.w > 0.0)) return {-infinity, infinity};
+            least = glm::min(least, h.z / h.w), greatest = glm::max(greatest, h.z / h.w);
         }
     }
-    return all;
+    return {least, greatest};
 }
 
 /// A projective map of which a box becomes the clip space's cube; turned over where it would mirror what it sees.
 /// @param to_map           world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth
 ///                         z / w grows; of any scale
 /// @param least, greatest  w of receivers
-/// @return                 nothing where the box has no extent, and where the map overflows
+/// @return                 nothing where the box has no extent or an infinite one, and where the map overflows
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
                                                   double greatest, const warp_fit<T>& fit, const char* function) {
@@ -17739,9 +17492,8 @@ template <real T>
     constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
     const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
     // the hull's cone over the map, of which the other half, behind w = 0, is no part
-    const auto swept = seen_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
-    if (!swept) return {};
-    box.low.z = glm::min(box.low.z, swept->low.z);
+    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
+    box.low.z = glm::min(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
     return laid(to_map, box, least_w, greatest_w, fit, function);
@@ -18149,13 +17901,13 @@ template <real T>
 /// The least and the greatest of angles under which points lie, in x and in y, z ahead.
 struct angles {
     glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    bool all_ahead = true;  ///< false where one of them does not lie ahead, and nothing else is told
 };
-/// @return   nothing where one of them does not lie ahead
 template <class = on_use>
-[[nodiscard]] std::optional<angles> angles_of(const std::vector<glm::dvec3>& points) {
+[[nodiscard]] angles angles_of(const std::vector<glm::dvec3>& points) {
     angles a;
     for (const glm::dvec3& p : points) {
-        if (!(p.z > 0.0)) return {};
+        if (!(p.z > 0.0)) return {.all_ahead = false};
         const glm::dvec2 angle(std::atan2(p.x, p.z), std::atan2(p.y, p.z));
         a.low = glm::min(a.low, angle), a.high = glm::max(a.high, angle);
     }
@@ -18173,9 +17925,9 @@ template <class = on_use>
     const glm::dvec3 ahead = image.z > 1.0 ? glm::dvec3(0, 0, -1) : middle - image;
     const glm::dmat4 first = light_frame(
         look_along(image, ahead, glm::dvec3(0, 1, 0), handedness::right, function, "camera"), handedness::right);
-    const auto around = angles_of(seen(first, receivers));
-    if (!around) return {};
-    const glm::dvec2 halfway = glm::tan((around->low + around->high) * 0.5);
+    const angles around = angles_of(seen(first, receivers));
+    if (!around.all_ahead) return {};
+    const glm::dvec2 halfway = glm::tan((around.low + around.high) * 0.5);
     const glm::dvec3 axis = unit(glm::transpose(glm::dmat3(first)) * glm::dvec3(halfway, 1.0));
     return image + axis * glm::dot(middle - image, axis);
 }
@@ -18205,9 +17957,9 @@ template <class = on_use>
         const glm::dvec4 h = rays * glm::dvec4(p, 1.0);
         ahead.emplace_back(h.x * glm::abs(bend), h.y * glm::abs(bend), h.w);
     }
-    const auto seen = angles_of(ahead);
-    if (!seen) return {rays, std::numbers::pi};
-    const glm::dvec2 opening = seen->high - seen->low;
+    const angles seen = angles_of(ahead);
+    if (!seen.all_ahead) return {rays, std::numbers::pi};
+    const glm::dvec2 opening = seen.high - seen.low;
     return {rays, glm::max(opening.x, opening.y)};
 }
 
@@ -18389,18 +18141,17 @@ template <real T>
     const double edge = 1.0 + 2.0 * double(fit.margin);
     // w is a plane's point's, by a share that a point light takes away on the way towards it
     const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
-    const auto swept = seen_within(to_map, casters,
-                                   {{1, 0, 0, edge},
-                                    {-1, 0, 0, edge},
-                                    {0, 1, 0, edge},
-                                    {0, -1, 0, edge},
-                                    glm::dvec4(0, 0, 0, 1) - share * least,
-                                    share * greatest - glm::dvec4(0, 0, 0, 1)});
-    extent box{glm::dvec3(-edge, -edge, 0.0), glm::dvec3(edge, edge, 0.0)};
-    if (swept) box.low.z = glm::min(box.low.z, swept->low.z), box.high.z = glm::max(box.high.z, swept->high.z);
+    const glm::dvec2 swept = depths_within(to_map, casters,
+                                           {{1, 0, 0, edge},
+                                            {-1, 0, 0, edge},
+                                            {0, 1, 0, edge},
+                                            {0, -1, 0, edge},
+                                            glm::dvec4(0, 0, 0, 1) - share * least,
+                                            share * greatest - glm::dvec4(0, 0, 0, 1)});
+    extent box{glm::dvec3(-edge, -edge, glm::min(0.0, swept.x)), glm::dvec3(edge, edge, glm::max(0.0, swept.y))};
     const double deep = glm::max(double(fit.margin), 0x1p-8) * glm::max(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
-    const auto warped = swept ? laid(to_map, box, least, greatest, fit, function) : std::nullopt;
+    const auto warped = laid(to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "give too large or too small a map");
     return *warped;
 }
@@ -18915,7 +18666,7 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL"};
 
 /// Every one of them, for printers and packages.
-inline constexpr auto all =
+inline constexpr const auto& all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
          &forward_before_far, &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode,
          &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,
@@ -19007,26 +18758,26 @@ namespace umbrage::glsl::detail {
 /// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
 /// 0 to 1.
 struct texture_words {
-    std::string_view parameters, arguments;
-    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
-    std::string_view sampled{};                      ///< vec4 at `uv`
-    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
-    std::string_view gather_red{}, gather_green{};   ///< vec4
-    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
-    std::string_view size{};                         ///< of the texture: vec2
-    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
-    snippet_span needs{};                            ///< what these words call
+    literal parameters, arguments;
+    literal texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    literal sampled{};                      ///< vec4 at `uv`
+    literal lit{};                          ///< the sampler's comparison with `receiver`: float
+    literal gather_red{}, gather_green{};   ///< vec4
+    literal gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    literal lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
+    literal size{};                         ///< of the texture: vec2
+    literal sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    snippet_span needs{};                   ///< what these words call
 };
 
 /// What there is to know of a language.
 struct language {
-    std::string_view prelude;  ///< what every text begins with
+    literal prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
-    std::string_view scaled_macro{};             ///< for those of depths on a scale of their own
+    literal scaled_macro{};                      ///< for those of depths on a scale of their own
 };
 
 /// The text with each word replaced by replacement(word, in_comment).
@@ -19257,7 +19008,7 @@ template <class Use = umbrage::detail::on_use>
 namespace umbrage::glsl {
 
 /// Macros that every text relies on; each can be defined beforehand to something else.
-inline constexpr std::string_view prelude = R"GLSL(
+inline constexpr literal prelude = R"GLSL(
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
 #define UMBRAGE_HIGHP highp
@@ -19276,7 +19027,7 @@ inline constexpr std::string_view prelude = R"GLSL(
 
 namespace detail {
 
-inline constexpr std::string_view scaled_macro = R"GLSL(
+inline constexpr literal scaled_macro = R"GLSL(
 // depths here are on a scale of their own, on which 1.0 is not the far plane
 #ifndef UMBRAGE_BEYOND_FAR
 #define UMBRAGE_BEYOND_FAR(receiver) false
@@ -19451,11 +19202,11 @@ struct token {
 
 /// The longest sign that `text` begins with; empty where it begins with none.
 [[nodiscard]] inline std::string_view sign_at(std::string_view text) {
-    static constexpr std::array<std::string_view, 16> two{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
-                                                          "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
+    static constexpr literal two[]{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
+                                   "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
     for (std::string_view sign : two)
         if (text.starts_with(sign)) return text.substr(0, 2);
-    static constexpr std::string_view one = "+-*/%<>=!&|^~?:;,.()[]{}";
+    static constexpr literal one = "+-*/%<>=!&|^~?:;,.()[]{}";
     return one.find(text.front()) == one.npos ? std::string_view() : text.substr(0, 1);
 }
 
@@ -19544,7 +19295,7 @@ enum class word_kind { type, function, keyword };
 
 struct word {
     word_kind kind;
-    std::string_view glsl, hlsl, msl, wgsl;
+    literal glsl, hlsl, msl, wgsl;
 };
 
 // clang-format off
@@ -19637,14 +19388,14 @@ namespace umbrage::glsl::detail {
 
 /// Where such a language differs.
 struct near_language {
-    std::string_view name;
-    std::string_view word::*own;
-    std::string_view precise;      ///< for UMBRAGE_PRECISE; empty: nothing
-    std::string_view function;     ///< before each function's type,
-    std::string_view condition;    ///< and before that of one that tells true from false
+    literal name;
+    literal word::*own;
+    literal precise;               ///< for UMBRAGE_PRECISE; empty: nothing
+    literal function;              ///< before each function's type,
+    literal condition;             ///< and before that of one that tells true from false
     bool matrices_have_rows;       ///< m[i] is a row of m, its constructor takes rows
     bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
-    std::string_view reserved;     ///< what GLSL may call a variable, and this language may not: " a b "
+    literal reserved;              ///< what GLSL may call a variable, and this language may not: " a b "
 };
 
 /// Prints functions in a near language.
@@ -19778,10 +19529,10 @@ private:
     }
     /// A word that a map fills in.
     [[nodiscard]] static bool is_of_a_map(std::string_view word) {
-        static constexpr std::string_view all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
-                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
-                                                "UMBRAGE_ORIGIN",     "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",
-                                                "UMBRAGE_UV"};
+        static constexpr literal all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
+                                       "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
+                                       "UMBRAGE_ORIGIN",     "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",
+                                       "UMBRAGE_UV"};
         for (std::string_view w : all)
             if (word == w) return true;
         return false;
@@ -19940,7 +19691,7 @@ namespace umbrage::msl {
 
 /// What every text begins with. Metal computes with fast mathematics unless it is told not to; from here to the end of
 /// the file it is told.
-inline constexpr std::string_view prelude =
+inline constexpr literal prelude =
     "\n#include <metal_stdlib>\n"  // no line of its own, which the single header would take for C++'s
     "#pragma METAL fp math_mode(safe)\n"
     "#pragma METAL fp contract(off)\n";
@@ -20065,6 +19816,652 @@ template <class Use = umbrage::detail::on_use>
 }
 
 }  // namespace umbrage::msl
+
+// ---- umbrage/depth/foreign/base255.hpp
+// The RGBA format of Aras Pranckevicius, base 255, as Cesium, Babylon.js and bgfx use it, to read and write such maps.
+//
+//     float stored = umbrage::decode_base255(umbrage::load_unorm8(texel));
+//
+// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error
+// is up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left
+// is the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out
+// of it.
+//
+
+namespace umbrage {
+
+/// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, a fault
+/// @return        UNORM values
+/// @formula       e_i = fract(255^i depth), each less 1/255 of the next
+/// @exactness     B
+/// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> write_base255(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
+    const T x = v - std::floor(v);
+    const T y = v * T(255) - std::floor(v * T(255));
+    const T z = v * T(65025) - std::floor(v * T(65025));
+    const T w = v * T(16581375) - std::floor(v * T(16581375));
+    constexpr T step = T(1.0 / 255.0);
+    return {x - y * step, y - z * step, z - w * step, w};
+}
+
+/// @param c      as sampled
+/// @formula      R + G/255 + B/255^2 + A/255^3
+/// @exactness    B
+template <real T>
+[[nodiscard]] constexpr T decode_base255(glm::vec<4, T> c) {
+    return c.x + c.y * T(1.0 / 255.0) + c.z * T(1.0 / 65025.0) + c.w * T(1.0 / 16581375.0);
+}
+
+/// A writer without the faults, for decode_base255 on the other side: the digits of depth in base 255.
+/// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
+/// @exactness     B
+template <real T>
+[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T far = T(1)) {
+    T rest = saturate(depth, far) * T(255);
+    glm::u8vec4 digits(0);
+    for (glm::length_t i = 0; i < 4; ++i) {
+        const T digit = std::floor(rest);
+        digits[i] = static_cast<std::uint8_t>(digit);
+        rest = (rest - digit) * T(255);
+    }
+    return digits;
+}
+
+namespace glsl {
+
+inline constexpr snippet write_base255{
+    .name = "write_base255",
+    .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c =
+        vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_base255{
+    .name = "decode_base255",
+    .summary = "base-255 RGBA to depth",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+)GLSL",
+};
+
+inline constexpr snippet encode_base255_repaired{
+    .name = "encode_base255_repaired",
+    .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = umbrage_saturate(depth) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (x - floor(x)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (y - floor(y)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
+    return vec4(floor(x), floor(y), floor(z), floor(w));
+}
+)GLSL",
+};
+
+}  // namespace glsl
+
+/// The format as a value, faults and all; the store rounds. An empty map is cleared to what decodes to 1.
+struct base255 {
+    using texel = glm::u8vec4;
+    static constexpr literal name = "base255";
+    static constexpr literal summary =
+        "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
+    static constexpr const glsl::snippet* writer = &glsl::write_base255;
+    static constexpr const glsl::snippet* reader = &glsl::decode_base255;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_base255(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1p-23 : 0x1.021p-8;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const {
+        return direction == depth_direction::forward ? texel(255, 0, 0, 0) : texel(0);
+    }
+};
+
+/// The same, written without the faults.
+struct base255_repaired {
+    using texel = glm::u8vec4;
+    static constexpr literal name = "base255_repaired";
+    static constexpr literal summary = "For readers of base 255, written without the fault.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_base255_repaired;
+    static constexpr const glsl::snippet* reader = &glsl::decode_base255;
+    static constexpr written writes = written::bytes;
+    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth, cleared_depth(direction)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
+        return {.below = 0x1p-23, .above = 0x1p-23};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/depth/foreign/threejs.hpp
+// The depth formats of three.js, r167 and later, to read and write its maps: RGBA, RGB and RG. Writers give UNORM
+// values as three.js does; what the 8-bit store makes of the channel that holds a fraction is part of the format.
+//
+//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_rgba(depth));
+//     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm8(texel));
+//
+// Worst error of any binary32 depth, as measured by the tests:
+//
+//     format   store rounds   store truncates
+//     rgba     2^-32          2^-31.99
+//     rgb      2^-24          2^-23.99
+//     rg       2^-16.99       2^-15.99
+//
+
+namespace umbrage {
+
+/// Three whole bytes, R most significant, and the fraction that is left in A.
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed; 1 gives all ones
+/// @return        UNORM values
+/// @exactness     B
+/// @cite          three.js r167 and later, packing chunk (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
+    if (!(v < T(1))) return glm::vec<4, T>(1);
+    const T x = v * T(16777216);
+    const T whole = std::floor(x);
+    const T high = std::floor(whole * T(1.0 / 65536.0));
+    const T rest = whole - high * T(65536);
+    const T middle = std::floor(rest * T(1.0 / 256.0));
+    return {high * T(1.0 / 255.0), middle * T(1.0 / 255.0), (rest - middle * T(256)) * T(1.0 / 255.0), x - whole};
+}
+
+/// @param c      as sampled
+/// @formula      255/256 (R + G/2^8 + B/2^16) + A/2^24
+/// @exactness    B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_rgba(glm::vec<4, T> c) {
+    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
+}
+
+/// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
+template <real T>
+[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
+    if (!(v < T(1))) return glm::vec<3, T>(1);
+    const T x = v * T(65536);
+    const T whole = std::floor(x);
+    const T high = std::floor(whole * T(1.0 / 256.0));
+    return {high * T(1.0 / 255.0), (whole - high * T(256)) * T(1.0 / 255.0), x - whole};
+}
+
+/// @formula      255/256 (R + G/2^8) + B/2^16       @exactness B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_rgb(glm::vec<3, T> c) {
+    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(1.0 / 65536.0);
+}
+
+/// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
+template <real T>
+[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
+    if (!(v < T(1))) return glm::vec<2, T>(1);
+    const T x = v * T(256);
+    const T whole = std::floor(x);
+    return {whole * T(1.0 / 255.0), x - whole};
+}
+
+/// @formula      255/256 R + G/2^8                  @exactness B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_rg(glm::vec<2, T> c) {
+    return c.x * T(255.0 / 256.0) + c.y * T(1.0 / 256.0);
+}
+
+namespace glsl {
+
+inline constexpr snippet write_threejs_rgba{
+    .name = "write_threejs_rgba",
+    .summary = "depth to three.js RGBA, r167 and later",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 16777216.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = whole - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    UMBRAGE_HIGHP float low = rest - middle * 256.0;
+    UMBRAGE_HIGHP vec4 c = vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec4(1.0, 1.0, 1.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_threejs_rgba{
+    .name = "decode_threejs_rgba",
+    .summary = "three.js RGBA, r167 and later, to depth",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) +
+                                                c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
+    return depth;
+}
+)GLSL",
+};
+
+inline constexpr snippet write_threejs_rgb{
+    .name = "write_threejs_rgb",
+    .summary = "depth to three.js RGB, r167 and later",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 65536.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec3 c = vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec3(1.0, 1.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_threejs_rgb{
+    .name = "decode_threejs_rgb",
+    .summary = "three.js RGB, r167 and later, to depth",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
+    return depth;
+}
+)GLSL",
+};
+
+inline constexpr snippet write_threejs_rg{
+    .name = "write_threejs_rg",
+    .summary = "depth to three.js RG, r167 and later",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 256.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    return v < 1.0 ? vec2(whole * 0.00392156886, x - whole) : vec2(1.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_threejs_rg{
+    .name = "decode_threejs_rg",
+    .summary = "three.js RG, r167 and later, to depth",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
+    return depth;
+}
+)GLSL",
+};
+
+}  // namespace glsl
+
+// The formats as values; the store rounds.
+
+/// RGBA, r167 and later.
+struct threejs_rgba {
+    using texel = glm::u8vec4;
+    static constexpr literal name = "threejs_rgba";
+    static constexpr literal summary = "RGBA of three.js since r167: three whole bytes and the rest.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_rgba(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1p-32 : 0x1p-32 * 256 / 255;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+/// RGB, r167 and later.
+struct threejs_rgb {
+    using texel = glm::u8vec3;
+    static constexpr literal name = "threejs_rgb";
+    static constexpr literal summary = "RGB of three.js since r167: two whole bytes and the rest.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_rgb(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1p-24 : 0x1p-24 * 256 / 255;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+/// RG, r167 and later.
+struct threejs_rg {
+    using texel = glm::u8vec2;
+    static constexpr literal name = "threejs_rg";
+    static constexpr literal summary = "RG of three.js since r167: one whole byte and the rest.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_rg(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1.02p-17 : 0x1p-16 * 256 / 255;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/depth/foreign/threejs_legacy.hpp
+// The RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. What the
+// 8-bit store makes of the channel that holds a fraction is part of the format.
+//
+//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_legacy(depth));
+//     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm8(texel));
+//
+// Worst error of any binary32 depth, and the faults, as measured by the tests:
+//
+//     format             store rounds     store truncates   faults
+//     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below depths that come before it
+//     legacy, repaired   2^-24            2^-24             none
+//
+
+namespace umbrage {
+
+/// The layout of r73 to r166: A most significant, channels scaled by 256/255.
+/// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
+/// @exactness     B
+/// @cite          three.js r73 to r166, packing chunk (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
+    const T x = v * T(16777216) - std::floor(v * T(16777216));
+    const T y = v * T(65536) - std::floor(v * T(65536));
+    const T z = v * T(256) - std::floor(v * T(256));
+    return {x * T(256.0 / 255.0), (y - x * T(1.0 / 256.0)) * T(256.0 / 255.0),
+            (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0), (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
+}
+
+/// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)   @exactness B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_legacy(glm::vec<4, T> c) {
+    return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) +
+           c.w * T(255.0 / 256.0);
+}
+
+/// A writer without the fault, for decode_threejs_legacy on the other side: 24 bits, and 1 decodes to 1.
+/// @return        integer channels 0..255 (to_unorm writes them), A most significant
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
+    if (!(v < T(1))) return glm::u8vec4(255);
+    const std::uint32_t x = to_code<24>(v);
+    return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
+            static_cast<std::uint8_t>(x >> 16)};
+}
+
+namespace glsl {
+
+inline constexpr snippet write_threejs_legacy{
+    .name = "write_threejs_legacy",
+    .summary = "depth to three.js RGBA, r73 to r166",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 16777216.0 - floor(v * 16777216.0);
+    UMBRAGE_HIGHP float y = v * 65536.0 - floor(v * 65536.0);
+    UMBRAGE_HIGHP float z = v * 256.0 - floor(v * 256.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = vec4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_threejs_legacy{
+    .name = "decode_threejs_legacy",
+    .summary = "three.js RGBA, r73 to r166, to depth",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) +
+                                                c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
+    return depth;
+}
+)GLSL",
+};
+
+inline constexpr snippet encode_threejs_legacy_repaired{
+    .name = "encode_threejs_legacy_repaired",
+    .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
+    .exactness = tier::a,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = floor(v * 16777216.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
+}
+)GLSL",
+};
+
+}  // namespace glsl
+
+// The formats as values; the store rounds.
+
+/// RGBA, r73 to r166, fault and all: 1 decodes to 255/256. An empty map is cleared to what decodes to 1.
+struct threejs_legacy {
+    using texel = glm::u8vec4;
+    static constexpr literal name = "threejs_legacy";
+    static constexpr literal summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_legacy(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
+        return {.below = 0x1p-32, .above = 0x1p-32};
+    }
+    [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255) : texel(0); }
+};
+
+/// RGBA for readers of r73 to r166, written without the fault.
+struct threejs_legacy_repaired {
+    using texel = glm::u8vec4;
+    static constexpr literal name = "threejs_legacy_repaired";
+    static constexpr literal summary = "For readers of three.js r73 to r166, written without the fault.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_threejs_legacy_repaired;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
+    static constexpr written writes = written::bytes;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] texel encode(float depth) const {
+        return encode_threejs_legacy_repaired(depth, cleared_depth(direction));
+    }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
+        return {.below = 0x1p-24, .above = 0x1p-24};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/depth/encodings.hpp
+// Every encoding of the library, in one list: what tools, tables, proofs and examples walk.
+//
+//     umbrage::for_each_encoding([](auto encoding) { std::puts(encoding.name.data()); });
+//     bool found = umbrage::with_encoding("rg11", [&](auto encoding) { umbrage::encode(depth, map, encoding); });
+//
+
+namespace umbrage {
+
+using encodings =
+    list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits, threejs_rgba,
+            threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
+
+/// Calls use(encoding) for one after the other.
+template <class Use>
+constexpr void for_each_encoding(Use&& use) {
+    encodings::for_each(use);
+}
+
+/// Calls use(encoding) with the one of that name.
+/// @return   false where none is called so
+template <class Use>
+constexpr bool with_encoding(std::string_view name, Use&& use) {
+    return encodings::with(name, use);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/depth/foreign/ps14.hpp
+// The Radeon 8500's own way to unpack 11 bits: r / 8 + g on the channels as sampled. Its values are x / 2040, not
+// x / 2048, so the receiver it is compared with must be scaled by 256 / 255 too.
+//
+//     bool lit = umbrage::receiver_ps14(depth) <= umbrage::decode_ps14(sampled);
+//
+
+namespace umbrage {
+
+/// @param c      the two channels of encode_rg<11> as sampled, k / 255
+/// @return       x / 2040, in [0, 2047 / 2040]
+/// @formula      r / 8 + g
+/// @exactness    B: one rounded addition
+/// @cite         ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
+template <real T>
+[[nodiscard]] constexpr T decode_ps14(glm::vec<2, T> c) {
+    return c.x * T(0.125) + c.y;
+}
+
+/// A depth on the scale of decode_ps14, for less_equal_scaled.
+/// @param depth   not clamped; beyond the far plane: -1, which every texel lights
+/// @formula       depth > 1 ? -1 : depth * 256 / 255
+/// @exactness     B: one product with the rounded quotient
+template <real T>
+[[nodiscard]] constexpr T receiver_ps14(T depth) {
+    return less_equal::beyond_far(depth) ? T(-1) : depth * T(256.0 / 255.0);
+}
+
+namespace glsl {
+
+inline constexpr snippet decode_ps14{
+    .name = "decode_ps14",
+    .summary = "r / 8 + g as the Radeon 8500 computed it",
+    .exactness = tier::b,
+    .scaled = true,
+    .source = R"GLSL(
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+//   1.0 is not the far plane on this scale
+UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}
+)GLSL",
+};
+
+inline constexpr snippet receiver_ps14{
+    .name = "receiver_ps14",
+    .summary = "receiver on the scale of decode_ps14",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
+//   lights
+UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
+    return depth > 1.0 ? -1.0 : depth * 1.00392163;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* ps14_snippets[]{&decode_ps14, &receiver_ps14};
+
+}  // namespace glsl
+}  // namespace umbrage
 
 // ---- umbrage/shader/registry.hpp
 // Every snippet there is, in the order of the data's way: what tests, tables and tools walk through.
@@ -20607,7 +21004,7 @@ private:
 
     /// Whether the function's body writes to what has that name.
     [[nodiscard]] bool is_assigned(std::string_view name) const {
-        static constexpr std::string_view signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
+        static constexpr literal signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
         const std::size_t end = glsl::detail::closing(all_, body_);
         for (std::size_t i = body_ + 1; i < end; ++i) {
             if (!(all_[i] == name) || glsl::detail::is_type(all_[i - 1].text)) continue;
