@@ -2,7 +2,7 @@
 //
 // Rows of an image that are drawn to, in place or in a copy, where they do not contend for the cache.
 //
-//     band_buffer buffer;  // of a thread, for one band after the other
+//     band_buffer<> buffer;  // of a thread, for one band after the other
 //     buffer.begin(image.rows(first, last));
 //     for (const triangles& batch : ...) {
 //         buffer.expect(batch);
@@ -21,11 +21,13 @@
 #include <cstring>
 #include <vector>
 
+#include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/simd/raster/triangles.hpp>
 
 namespace umbrage::detail {
 
+template <class = on_use>
 class band_buffer {
 public:
     /// @param rows   which nobody else uses until finish()

@@ -40,7 +40,7 @@ public:
 
 private:
     image_view<float> image_;
-    band_buffer buffer_;
+    band_buffer<> buffer_;
 };
 
 }  // namespace umbrage::detail

@@ -2,7 +2,7 @@
 //
 // Rows of an image to which several threads draw: one thread at a time to the same ones.
 //
-//     row_locks locks(height);
+//     row_locks<> locks(height);
 //     locks.hold({first, last}, [&] { ... });
 //
 #pragma once
@@ -12,10 +12,12 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/config.hpp>
 #include <umbrage/simd/memory.hpp>
 
 namespace umbrage::detail {
 
+template <class = on_use>
 class row_locks {
 public:
     explicit row_locks(int height) : locks_(std::size_t(height / rows_a_lock + 1)) {}

@@ -196,7 +196,7 @@ private:
     /// wait for each other.
     template <class ParallelFor, class Draw>
     void for_each_batch_under_locks(ParallelFor&& parallel, const Draw& draw) const {
-        row_locks locks(size_.y);
+        row_locks<> locks(size_.y);
         parallel(static_cast<int>((chunk_.count() + handful - 1) / handful), [&](int first, int last) {
             for_each_batch_of(unsigned(first) * handful, lesser(unsigned(last) * handful, chunk_.count()),
                               [&](const triangles& batch) {

@@ -43,7 +43,7 @@ TEST_CASE("band_buffer: rows that contend move when enough is drawn, and come ba
         const int times = stride == 1024 ? 2 : 8;
         const detail::triangles most = bounds_of(band_size.x, band_size.y * times - 1),
                                 last = bounds_of(band_size.x, 1);
-        detail::band_buffer buffer;
+        detail::band_buffer<> buffer;
         const auto move = [&](const image_view<float>& rows) {
             buffer.begin(rows);
             buffer.expect(most);
@@ -86,7 +86,7 @@ TEST_CASE("band_buffer: rows that contend move when enough is drawn, and come ba
 
 TEST_CASE("band_buffer: rows that do not contend stay where they are") {
     std::vector<float> memory(1040 * 20);
-    detail::band_buffer buffer;
+    detail::band_buffer<> buffer;
     for (const auto& rows : {image_view<float>(memory.data(), band_size),
                              {memory.data(), band_size, 1040 * 4},
                              {memory.data(), {1024, 8}}}) {  // no more than a set of the cache has lines

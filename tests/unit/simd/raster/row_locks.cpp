@@ -12,7 +12,7 @@ using namespace umbrage;
 TEST_CASE("row_locks: what two threads do to the same rows is done one after the other") {
     constexpr int height = 100, rounds = 20000;
     std::vector<int> counts(height, 0);  // not atomic
-    detail::row_locks locks(height);
+    detail::row_locks<> locks(height);
     const auto count_all = [&](bool upwards) {
         for (int i = 0; i < rounds; ++i) {
             const int first = (upwards ? i : rounds - 1 - i) % 50;
