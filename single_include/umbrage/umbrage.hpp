@@ -12962,7 +12962,7 @@ UMBRAGE_END_STRICT_MATH
 // ---- umbrage/simd/raster/band_buffer.hpp
 // Rows of an image that are drawn to, in place or in a copy, where they do not contend for the cache.
 //
-//     band_buffer buffer;  // of a thread, for one band after the other
+//     band_buffer<> buffer;  // of a thread, for one band after the other
 //     buffer.begin(image.rows(first, last));
 //     for (const triangles& batch : ...) {
 //         buffer.expect(batch);
@@ -12977,6 +12977,7 @@ UMBRAGE_END_STRICT_MATH
 
 namespace umbrage::detail {
 
+template <class = on_use>
 class band_buffer {
 public:
     /// @param rows   which nobody else uses until finish()
@@ -13479,7 +13480,7 @@ public:
 
 private:
     image_view<float> image_;
-    band_buffer buffer_;
+    band_buffer<> buffer_;
 };
 
 }  // namespace umbrage::detail
@@ -13546,12 +13547,13 @@ UMBRAGE_END_STRICT_MATH
 // ---- umbrage/simd/raster/row_locks.hpp
 // Rows of an image to which several threads draw: one thread at a time to the same ones.
 //
-//     row_locks locks(height);
+//     row_locks<> locks(height);
 //     locks.hold({first, last}, [&] { ... });
 //
 
 namespace umbrage::detail {
 
+template <class = on_use>
 class row_locks {
 public:
     explicit row_locks(int height) : locks_(std::size_t(height / rows_a_lock + 1)) {}
@@ -13899,7 +13901,7 @@ private:
     /// wait for each other.
     template <class ParallelFor, class Draw>
     void for_each_batch_under_locks(ParallelFor&& parallel, const Draw& draw) const {
-        row_locks locks(size_.y);
+        row_locks<> locks(size_.y);
         parallel(static_cast<int>((chunk_.count() + handful - 1) / handful), [&](int first, int last) {
             for_each_batch_of(unsigned(first) * handful, lesser(unsigned(last) * handful, chunk_.count()),
                               [&](const triangles& batch) {
