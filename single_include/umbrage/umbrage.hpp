@@ -12459,11 +12459,9 @@ inline void require_drawable(glm::ivec2 size) {
     return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
 }
 
-/// Whether a vertex with this x stands for one outside of planes.
-[[nodiscard]] inline bool is_outside(std::int32_t x) { return x == std::numeric_limits<std::int32_t>::min(); }
 /// A bit for each plane that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return is_outside(v.x) ? static_cast<unsigned>(v.y) : 0u;
+    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
 }
 
 /// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
@@ -13563,7 +13561,7 @@ public:
     template <class Use>
     void hold(const glm::ivec2& rows, const Use& use) {
         const std::size_t first = std::size_t(rows.x / rows_a_lock), last = std::size_t((rows.y - 1) / rows_a_lock);
-        // From the first on, so that of threads that wait for each other's the one with the most goes on.
+        // From the first on, in every thread, so that no two wait for each other.
         for (std::size_t i = first; i <= last; ++i) take_lock(locks_[i].held);
         use();
         for (std::size_t i = first; i <= last; ++i) store_release(0, locks_[i].held);

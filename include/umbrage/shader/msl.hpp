@@ -10,7 +10,6 @@
 #include <initializer_list>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include <umbrage/config.hpp>
 #include <umbrage/light/cube_atlas.hpp>

@@ -13,7 +13,6 @@
 // penumbrae are never smaller than the mean distance would make them.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <string>
 

@@ -55,11 +55,9 @@ inline void require_drawable(glm::ivec2 size) {
     return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
 }
 
-/// Whether a vertex with this x stands for one outside of planes.
-[[nodiscard]] inline bool is_outside(std::int32_t x) { return x == std::numeric_limits<std::int32_t>::min(); }
 /// A bit for each plane that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return is_outside(v.x) ? static_cast<unsigned>(v.y) : 0u;
+    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
 }
 
 /// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.

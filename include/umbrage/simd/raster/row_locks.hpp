@@ -27,7 +27,7 @@ public:
     template <class Use>
     void hold(const glm::ivec2& rows, const Use& use) {
         const std::size_t first = std::size_t(rows.x / rows_a_lock), last = std::size_t((rows.y - 1) / rows_a_lock);
-        // From the first on, so that of threads that wait for each other's the one with the most goes on.
+        // From the first on, in every thread, so that no two wait for each other.
         for (std::size_t i = first; i <= last; ++i) take_lock(locks_[i].held);
         use();
         for (std::size_t i = first; i <= last; ++i) store_release(0, locks_[i].held);
