@@ -64,7 +64,7 @@ namespace detail {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - $n.0;
-    UMBRAGE_HIGHP float d = $n.0 - abs(u);
+    UMBRAGE_HIGHP float d = max($n.0 - abs(u), 0.0);  // not negative already; no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = $c.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? $c.0 - steep : $c.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * $s.0) * (1.0 / $w.0);
@@ -90,7 +90,7 @@ UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     UMBRAGE_HIGHP float dark = umbrage_hardened$n(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 )GLSL",
                   {{'n', points}});

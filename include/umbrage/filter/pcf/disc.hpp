@@ -98,10 +98,11 @@ template <real T>
 /// @param radius     in 1/16 texel, a whole number, 0 .. 4095
 /// @formula          floor((position + turned point * radius / 64) / 256), of point (x, y) turned by (c, s):
 ///                   (c x - s y, s x + c y)
-/// @exactness        A: the position's whole texels apart, all else are multiples of 2^-14 below 2^9, in any order
+/// @exactness        A: multiples of 2^-14 below 2^10, in any order
 template <real T>
 [[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> turn, T radius) {
-    const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at), within = at - texel;
+    const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at);
+    const glm::vec<2, T> within = glm::clamp(at - texel, T(0), T(1));  // which no grouping of sums reaches across
     const glm::vec<2, T> scaled = turn * (radius * T(1.0 / 16384.0));
     return texel +
            glm::floor(within + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y));
@@ -176,7 +177,7 @@ UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP v
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
-    UMBRAGE_HIGHP vec2 within = at - texel;
+    UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
     UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;

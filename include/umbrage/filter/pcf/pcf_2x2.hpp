@@ -20,17 +20,18 @@ namespace umbrage {
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
 /// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
-/// @exactness        A: integers below 2^24 times a power of two
+/// @exactness        A: sums of multiples of 2^-16, below 2^8
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    const glm::vec<2, T> hi = x - texel * T(256);  // weight of the farther texel, 0..255
-    const glm::vec<2, T> lo = T(256) - hi;
+    // Weights of the farther texels are in [0, 1) already; compilers cannot regroup sums across the clamp.
+    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1));
+    const glm::vec<2, T> lo = T(1) - hi;
     const glm::vec<4, T> lit = lit_2x2(fetch, glm::ivec2(texel), receiver, is_lit);
-    return (lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w)) * T(1.0 / 65536.0);
+    return lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
 }
 
 /// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
@@ -76,11 +77,11 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
-    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
+    UMBRAGE_HIGHP float visibility = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return compared ? visibility : 1.0;
 }
 )GLSL",

@@ -52,7 +52,8 @@ template <real T, class Fetch, class Compare = less_equal>
     const glm::vec<2, T> coord(at);
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256) + T(0.5)) - T(128);
-    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), hi = x - texel * T(256), lo = T(256) - hi;
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
+    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)), lo = T(1) - hi;
     const auto tap = [&](T i, T j) {
         return cube_lit(fetch, size, glm::vec<3, T>(texel.x + i, texel.y + j, at.z), receiver, is_lit);
     };
@@ -100,8 +101,9 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);

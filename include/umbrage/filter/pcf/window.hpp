@@ -162,7 +162,7 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0)GLSL";
     for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
@@ -170,10 +170,12 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     for (int i = 0; i <= size; ++i)
         if (i != middle)
             append(text, "    UMBRAGE_HIGHP vec2 w$i = floor($w);\n", {{'i', i}, {'w', 0, window_weight(size, i)}});
-    append(text, "    UMBRAGE_HIGHP vec2 w$m = whole - (w0", {{'m', middle}});
+    append(text, "    UMBRAGE_HIGHP vec2 w$m = max(whole - (w0", {{'m', middle}});
     for (int i = 1; i <= size; ++i)
         if (i != middle) append(text, " + w$i", {{'i', i}});
-    append(text, ");\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
+    // not negative already; compilers cannot regroup the sum n across the max
+    append(text,
+           "), vec2(0.0, 0.0));\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
            {{'m', middle}});
     for (int j = 0; j <= size; j += 2) {
         for (int i = 0; i <= size; i += 2)

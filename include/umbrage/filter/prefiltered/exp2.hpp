@@ -80,7 +80,7 @@ template <real T>
 template <real T>
 [[nodiscard]] T exp2_steps(T y) {
     const T x = std::floor(detail::clamp_exponent(y) * T(2048));
-    const T n = std::floor(x * T(0x1p-11)), f = x - n * T(2048);
+    const T n = std::floor(x * T(0x1p-11)), f = std::max(x - n * T(2048), T(0));  // no sum is regrouped across it
     const T g = std::floor(f * (T(2048) - f) * T(0x1p-8)), r = T(1251) + std::floor(f * T(314) * T(0x1p-11));
     const T m = T(2048) + f - std::floor((g * r + T(16384)) * T(0x1p-15));
     return m * T(0x1p-11) * power_of_two(n);
@@ -151,7 +151,7 @@ inline constexpr snippet exp2_steps{
 UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
-    UMBRAGE_HIGHP float f = x - n * 2048.0;
+    UMBRAGE_HIGHP float f = max(x - n * 2048.0, 0.0);  // not negative already; no sum is regrouped across the max
     UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
     UMBRAGE_HIGHP float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     UMBRAGE_HIGHP float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));

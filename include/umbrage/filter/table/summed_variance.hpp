@@ -37,9 +37,9 @@ template <real T, class Fetch>
     const four part = (a - b) - (c - d);
     const T carry_1 = glm::floor(part.x * T(1.0 / 65536.0)), carry_2 = glm::floor(part.z * T(1.0 / 65536.0));
     const T above_1 = part.y + carry_1, above_2 = part.w + carry_2;
-    const T low_1 = part.x - carry_1 * T(65536), low_2 = part.z - carry_2 * T(65536);
-    const T high_1 =
-        glm::max(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));  // or a compiler distributes
+    // Nothing below is negative; compilers cannot regroup sums across a max.
+    const T low_1 = glm::max(part.x - carry_1 * T(65536), T(0)), low_2 = glm::max(part.z - carry_2 * T(65536), T(0));
+    const T high_1 = glm::max(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));
     const T sum = high_1 * T(65536) + low_1;
     const T high_2 = above_2 - glm::floor(above_2 * T(1.0 / 65536.0)) * T(65536);
     const glm::vec<2, T> sides(end - first);
@@ -102,16 +102,17 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
     UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
     UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
     UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
-    low = low - carry * 65536.0;
-    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));  // or a compiler distributes
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, vec2(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
-    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP vec2 sides = max(end - first, vec2(1.0, 1.0));
     UMBRAGE_HIGHP float n = sides.x * sides.y;
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(sum, n);
-    UMBRAGE_HIGHP float rest = sum - mean * n;
+    UMBRAGE_HIGHP float rest = max(sum - mean * n, 0.0);
     UMBRAGE_HIGHP vec2 digits = vec2(sum + rest, low.y);
     UMBRAGE_HIGHP vec2 high = floor(digits * (1.0 / 4096.0));
-    digits = digits - high * 4096.0;
+    digits = max(digits - high * 4096.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float below = digits.y - mean * digits.x;
     UMBRAGE_HIGHP float borrow = floor(below * (1.0 / 4096.0));
     UMBRAGE_HIGHP float wide = above.y * 16.0 + high.y - mean * high.x + borrow;

@@ -56,7 +56,7 @@ inline constexpr int deepest_page_level = 15;
 ///                 on. Beside the root and without a page (32768, 32768, 0, 0), which every filter takes as lit; a
 ///                 coordinate that is NaN or infinite gives more than that or NaN
 /// @formula        origin = slot (page + 2 gutter); (coord 2^level - floor(coord 2^level)) page + gutter
-/// @exactness      A, for bytes read within 2^-(level + 2) of themselves
+/// @exactness      A
 /// @cite           Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
 template <real T, class Table>
 [[nodiscard]] glm::vec<4, T> page_coordinate(Table&& table, T size, glm::vec<2, T> coord, T page, T gutter) {
@@ -82,12 +82,16 @@ inline constexpr snippet page_coordinate{
 //   page, gutter  side of a page and what it has around it, texels
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
-    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    // not negative already; compilers cannot regroup sums across max and clamp
+    UMBRAGE_HIGHP vec2 sides = max(size - 2.0, vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 before = max(size - 3.0, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * sides - before), size - 1.0);
     UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // of a NaN the first
-    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, vec2(texel));
-    UMBRAGE_HIGHP vec2 slot = umbrage_from_unorm(vec2(entry.x, entry.y));
-    UMBRAGE_HIGHP float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    UMBRAGE_HIGHP vec2 at = fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
+    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, vec2(texel)));
+    UMBRAGE_HIGHP vec2 slot = vec2(entry.x, entry.y);
+    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec2 within = clamp(fract(coord * across), vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
     return vec4(at, slot * (page + gutter * 2.0));
 }
 )GLSL",

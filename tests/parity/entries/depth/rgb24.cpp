@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include <umbrage/depth/rgb24.hpp>
 
 #include "../entries.hpp"
@@ -8,6 +10,14 @@ namespace {
 
 using namespace umbrage;
 
+/// At the ends of a code's interval: the centre of one of 24 bits is no float.
+input_class at_ends(input_class kind) {
+    return {kind.name, [fill = kind.fill](std::uint64_t i, random& r, sample& s) {
+                fill(i, r, s);
+                s.x[1].x = s.x[1].x > 0.0f ? 1.0f : 0.0f;
+            }};
+}
+
 vec4 rgb24_of(const sample& s) { return vec4(vec3(encode_rgb24(s.x[0].x)), 255.0f); }
 
 }  // namespace
@@ -15,6 +25,11 @@ vec4 rgb24_of(const sample& s) { return vec4(vec3(encode_rgb24(s.x[0].x)), 255.0
 void add_depth_rgb24(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
     const auto depths = spread({{0.0f, 1.0f}}, depth_values(24));
+    auto codes = channels(true);
+    std::ranges::transform(codes, codes.begin(), at_ends);
+    std::erase_if(codes, [](const input_class& kind) { return kind.name == "out of range"; });  // no sum below 2^24
+    enumeration all_ends = all_codes();
+    all_ends.all = at_ends(all_ends.all);
 
     all.push_back({.primitive = &glsl::encode_rgb24,
                    .classes = depths,
@@ -31,8 +46,8 @@ void add_depth_rgb24(std::vector<entry>& all) {
                    .output = target::rgba8,
                    .bits = true});
     all.push_back({.primitive = &glsl::decode_rgb24,
-                   .classes = channels(true),
-                   .whole = all_codes(),
+                   .classes = codes,
+                   .whole = all_ends,
                    .twin = [](const sample& s) { return vec4(decode_rgb24(vec3(s.x[0]), s.x[1].x)); },
                    .call = "vec4(umbrage_decode_rgb24(vec3(x0.x, x0.y, x0.z), x1.x))"});
 }

@@ -33,8 +33,14 @@ void add_light_cascades_blend(std::vector<entry>& all) {
                    .classes = spread({{-50.0f, 50.0f}, {-50.0f, 50.0f}}, special),
                    .twin = [](const sample& s) { return vec4(dither_threshold(at(s))); },
                    .call = "vec4(umbrage_dither_threshold(vec2(x0.x, x0.y)))"});
+    auto dithered = spread({{0.0f, 4.0f}, {0.0f, 1.0f}, {0.0f, 1.0f}}, special);
+    for (input_class& kind : dithered)  // of whole cascades
+        kind.fill = [fill = kind.fill](std::uint64_t i, random& r, sample& s) {
+            fill(i, r, s);
+            s.x[0].x = static_cast<float>(r.below(64));
+        };
     all.push_back({.primitive = &glsl::dithered_cascade,
-                   .classes = spread({{0.0f, 4.0f}, {0.0f, 1.0f}, {0.0f, 1.0f}}, special),
+                   .classes = std::move(dithered),
                    .twin = [](const sample& s) { return vec4(dithered_cascade(s.x[0].x, s.x[0].y, s.x[0].z)); },
                    .call = "vec4(umbrage_dithered_cascade(x0.x, x0.y, x0.z))"});
 }
