@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "texture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <umbrage/light/cube_map.hpp>
 
@@ -73,6 +75,17 @@ std::string filled_texture::bytes() const {
     return all;
 }
 
+namespace {
+
+bool holds_bytes(const filled_texture& t) {
+    return std::ranges::all_of(t.texels, [](const vec4& v) {
+        const vec4 codes = glm::round(v * 255.0f);
+        return glm::length(codes / 255.0f - v) < 1e-6f && glm::clamp(codes, 0.0f, 255.0f) == codes;  // never of a NaN
+    });
+}
+
+}  // namespace
+
 std::vector<filled_texture> textures(const job& j) {
     std::vector<filled_texture> all;
     const auto plain = [&](std::size_t unit, const auto& values, ivec2 size) {
@@ -88,6 +101,9 @@ std::vector<filled_texture> textures(const job& j) {
         all.back().unit = map_unit(k);
     }
     if (!e.table.empty()) plain(table_unit, e.table.texels(), e.table.size());
+    for (filled_texture& t : all)
+        if (t.unit >= max_inputs)
+            t.unorm_bits = t.image.format == texture_image::short_depths ? 16 : holds_bytes(t) ? 8 : 0;
     return all;
 }
 

@@ -34,6 +34,7 @@ struct filled_texture {
     std::size_t unit = 0;
     texture_image image{};
     std::vector<vec4> texels{};
+    int unorm_bits = 0;  ///< of the UNORM format that it stands for: 8 where every value is k / 255
 
     /// As the format has them: four floats, four whole numbers, one float, one short a texel.
     [[nodiscard]] std::string bytes() const;

@@ -2,8 +2,8 @@
 //
 // Writes the text of every entry, snippets and call, as C++:  write_cpp FILE
 //
-// GLSL's floats have no suffix and C++'s need one; __VERSION__ and `precise` are GLSL's own, as are the swizzles of
-// what stored_as() makes. All else is for cpp_text.hpp.
+// A float becomes a `glsl_float`, which cpp_text.hpp chooses. __VERSION__ and `precise` are GLSL's own, as are the swizzles
+// of what stored_as() makes. All else is for cpp_text.hpp.
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -41,7 +41,11 @@ std::string as_cpp(const std::string& glsl) {
                                                      (token.back() == 'e' || token.back() == 'E'))))
             token += glsl[i++];
         if (token == "value.xy" || token == "value.xyz") token = "vec" + std::to_string(token.size() - 6) + "(value)";
-        out += token == "__VERSION__" ? "460" : token == "precise" ? "" : is_float(token) ? token + 'f' : token;
+        out += token == "__VERSION__" ? "460"
+               : token == "precise"   ? ""
+               : token == "float"     ? "glsl_float"
+               : is_float(token)      ? "glsl_float(" + token + "f)"
+                                      : token;
     }
     return out;
 }
@@ -63,7 +67,8 @@ std::set<std::string> macros(const std::string& text) {
 int main(int argc, char** argv) {
     if (argc != 2) return 2;
     std::ofstream file(argv[1]);
-    file << "#include \"cpp_text.hpp\"\n\nnamespace parity::glsl_as_cpp {\nnamespace {\n";
+    file << "#include \"cpp_text.hpp\"\n\n#ifdef PARITY_ARITHMETIC\nnamespace parity::glsl_as_numbers {\n#else\n"
+            "namespace parity::glsl_as_cpp {\n#endif\nnamespace {\n";
     std::size_t count = 0;
     for (const parity::entry& e : parity::entries()) {
         const parity::call_snippet call(e, parity::dialect::glsl);
@@ -71,7 +76,7 @@ int main(int argc, char** argv) {
         file << "\nnamespace entry_" << count++ << " {\n"
              << as_cpp(text) << "\nvec4 call(const sample& s, const filled_texture* const* t) {\n";
         for (int i = 0; i < parity::max_inputs; ++i)
-            if (e.uses(i)) file << "    const vec4 x" << i << " = s.x[" << i << "];\n";
+            if (e.uses(i)) file << "    const vec4 x" << i << " = given(s.x[" << i << "]);\n";
         const auto uniforms = parity::uniforms(e);
         for (std::size_t unit = parity::max_inputs; unit < uniforms.size(); ++unit)
             if (!uniforms[unit].name.empty())
