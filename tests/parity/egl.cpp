@@ -52,7 +52,8 @@ public:
     }
 
     [[nodiscard]] bool empty() const { return dialects_.empty(); }
-    [[nodiscard]] std::string name() const override { return contexts_.front()->renderer(); }
+    [[nodiscard]] std::string name() const override { return contexts_.front()->about().device; }
+    [[nodiscard]] identity about(dialect d) const override { return context_of(d).about(); }
     [[nodiscard]] std::vector<dialect> dialects() const override {
         std::vector<dialect> all;
         for (const auto& [v, c] : dialects_) all.push_back(v);
@@ -68,12 +69,16 @@ public:
                std::to_string(limit);
     }
     [[nodiscard]] std::vector<vec4> run(dialect d, const job& j, std::size_t count) override {
-        for (const auto& [v, c] : dialects_)
-            if (d == v) return c->run(v, j, count);
-        throw std::runtime_error("no context for " + label(d));
+        return context_of(d).run(d.of_glsl, j, count);
     }
 
 private:
+    [[nodiscard]] context& context_of(dialect d) const {
+        for (const auto& [v, c] : dialects_)
+            if (d == v) return *c;
+        throw std::runtime_error("no context for " + label(d));
+    }
+
     std::vector<std::unique_ptr<context>> contexts_;
     std::vector<std::pair<version, context*>> dialects_;
 };

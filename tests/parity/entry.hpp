@@ -92,6 +92,7 @@ struct bound_map {
     bool linear = false;          ///< the sampler's filter; else the nearest texel
     std::string which{};          ///< an array's layer or an atlas's origin, of x0 .. x5 in GLSL; empty: a fixed one
     bool short_depths = false;    ///< a depth texture of 16 bits; else of floats
+    bool bytes = false;           ///< a texture of 8 bits a channel; else of floats
 
     [[nodiscard]] bool is_region() const { return umbrage::glsl::detail::has_region(as); }
     [[nodiscard]] bool compares() const { return umbrage::glsl::detail::compares(as.texture); }

@@ -29,6 +29,7 @@ filled_texture bound_texture(const bound_map& b, int number, const texels& map) 
         t.image.shape = texture_image::array, t.image.layers = 2;
     if (umbrage::glsl::detail::is_cube(kind)) t.image.shape = texture_image::cube, t.image.layers = 6;
     if (kind == texture::integer) t.image.format = texture_image::whole_numbers;
+    if (b.bytes) t.image.format = texture_image::bytes;
     if (compared || kind == texture::depth || kind == texture::depth_array)
         t.image.format = b.short_depths ? texture_image::short_depths : texture_image::depths;
     if (compared)
@@ -68,6 +69,7 @@ std::string filled_texture::bytes() const {
         if (image.format == texture_image::depths) append(all, t.x);
         else if (image.format == texture_image::short_depths)
             append(all, static_cast<std::uint16_t>(std::round(t.x * bound_map::most_short)));
+        else if (image.format == texture_image::bytes) append(all, glm::vec<4, std::uint8_t>(glm::round(t * 255.0f)));
         else append(all, glm::uvec4(t * bound_map::whole));
     }
     return all;

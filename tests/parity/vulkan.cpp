@@ -83,6 +83,20 @@ public:
         return device.starts_with("llvmpipe") ? "lavapipe (" + device + ")"
                                               : "Vulkan on " + device;  // not OpenGL's own, nor WebGL's
     }
+    [[nodiscard]] identity about(dialect) const override {
+        const vk::PhysicalDeviceProperties of = physical_.getProperties();
+        const auto number = [](std::uint32_t v) {
+            return std::to_string(VK_API_VERSION_MAJOR(v)) + '.' + std::to_string(VK_API_VERSION_MINOR(v)) + '.' +
+                   std::to_string(VK_API_VERSION_PATCH(v));
+        };
+        identity i{"Vulkan", number(of.apiVersion), of.deviceName.data(), std::to_string(of.driverVersion)};
+        if (of.apiVersion >= VK_API_VERSION_1_2) {
+            using driver = vk::PhysicalDeviceDriverProperties;
+            const auto chain = physical_.getProperties2<vk::PhysicalDeviceProperties2, driver>();
+            i.driver = std::string(chain.get<driver>().driverName) + ' ' + std::string(chain.get<driver>().driverInfo);
+        }
+        return i;
+    }
     [[nodiscard]] std::vector<dialect> dialects() const override {
         if (naga_) return {dialect::wgsl};
         return {version::vulkan, dialect::hlsl};
@@ -152,7 +166,7 @@ private:
         const texture_image& image = t.image;
         if (p.what != image) {
             constexpr std::array formats{vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Uint,
-                                         vk::Format::eD32Sfloat, vk::Format::eD16Unorm};
+                                         vk::Format::eD32Sfloat, vk::Format::eD16Unorm, vk::Format::eR8G8B8A8Unorm};
             p = make_picture(formats[image.format], image,
                              vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst);
             const vk::Filter filter = image.linear ? vk::Filter::eLinear : vk::Filter::eNearest;
@@ -274,7 +288,8 @@ backends vulkan_backends(std::string_view driver) {
     }
     try {
         static const vk::raii::Context context;  // devices need it and the instance to the end
-        static const vk::raii::Instance instance(context, vk::InstanceCreateInfo{});
+        const vk::ApplicationInfo application{.apiVersion = context.enumerateInstanceVersion()};
+        static const vk::raii::Instance instance(context, vk::InstanceCreateInfo{.pApplicationInfo = &application});
         for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance)) {
             const bool software = device.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
             if (software == (driver != "hardware"))
