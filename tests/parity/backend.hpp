@@ -70,8 +70,8 @@ using backends = std::vector<std::unique_ptr<backend>>;
 /// Mesa's software drivers ("llvmpipe", "softpipe"), or every other device EGL knows ("hardware"). Empty: none here.
 [[nodiscard]] backends egl_backends(std::string_view driver);
 
-/// Vulkan in software ("lavapipe", "naga", which is WGSL on lavapipe, or "swiftshader_vulkan", the browser's), or every
-/// other device Vulkan knows ("hardware"). Empty: none here.
+/// Vulkan in software ("lavapipe", "lavapipe_compute", which does not draw, "naga", which is WGSL on lavapipe, or
+/// "swiftshader_vulkan", the browser's), or every other device Vulkan knows ("hardware"). Empty: none here.
 [[nodiscard]] backends vulkan_backends(std::string_view driver);
 
 /// WebGL 1 and 2 in a browser, on SwiftShader. Empty, and said why, where the browser or what drives it is missing.

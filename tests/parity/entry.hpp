@@ -96,6 +96,11 @@ struct bound_map {
 
     [[nodiscard]] bool is_region() const { return umbrage::glsl::detail::has_region(as); }
     [[nodiscard]] bool compares() const { return umbrage::glsl::detail::compares(as.texture); }
+    /// Whether it is a depth texture.
+    [[nodiscard]] bool has_depths() const {
+        using enum umbrage::glsl::texture;
+        return compares() || as.texture == depth || as.texture == depth_array;
+    }
     /// Whether the sampler is an argument of its own.
     [[nodiscard]] bool has_sampler(dialect::language in) const;
     /// `as` with its texts in another language.

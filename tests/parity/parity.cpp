@@ -24,7 +24,7 @@ constexpr const char* usage = R"(Every entry on one implementation, in all its d
     parity --backend BACKEND [--filter TEXT] [--versions "100,300 es,450"] [--count N] [--other-count N]
            [--every N] [--other-every N] [--whole N] [--out FOLDER] [--report FOLDER] [--mistake FROM=TO]
 
-  --backend      c++ llvmpipe softpipe lavapipe swiftshader swiftshader_vulkan metal naga tint hardware
+  --backend      c++ llvmpipe softpipe lavapipe lavapipe_compute swiftshader swiftshader_vulkan metal naga tint hardware
   --filter       only entries whose names have this in them; without it all, which takes minutes
   --versions     only these dialects
   --count        inputs of an entry in the main dialects, 1048576; --other-count: in the others, 65536
@@ -169,7 +169,8 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
 backends find(const std::string& driver) {
     if (driver == "c++") return cpp_backends();
     if (driver == "metal") return metal_backends();
-    if (driver == "lavapipe" || driver == "naga" || driver == "swiftshader_vulkan") return vulkan_backends(driver);
+    for (const char* vulkan : {"lavapipe", "lavapipe_compute", "naga", "swiftshader_vulkan"})
+        if (driver == vulkan) return vulkan_backends(driver);
     if (driver == "swiftshader") return webgl_backends();
     if (driver == "tint") return webgpu_backends();
     if (driver != "llvmpipe" && driver != "softpipe" && driver != "hardware")
@@ -205,7 +206,9 @@ int run_all(int argc, char** argv) {
     const auto start = std::chrono::steady_clock::now();
     const backends all = find(o.driver);
     if (all.empty()) {
-        std::cout << "SKIPPED: no " << o.driver << " here\n";
+        const bool gpu = o.driver == "hardware";
+        std::cout << "SKIPPED: " << (gpu ? "neither EGL nor Vulkan has a GPU here" : "no " + o.driver + " here")
+                  << '\n';
         return 77;
     }
     std::vector<row> rows;

@@ -30,8 +30,7 @@ filled_texture bound_texture(const bound_map& b, int number, const texels& map) 
     if (umbrage::glsl::detail::is_cube(kind)) t.image.shape = texture_image::cube, t.image.layers = 6;
     if (kind == texture::integer) t.image.format = texture_image::whole_numbers;
     if (b.bytes) t.image.format = texture_image::bytes;
-    if (compared || kind == texture::depth || kind == texture::depth_array)
-        t.image.format = b.short_depths ? texture_image::short_depths : texture_image::depths;
+    if (b.has_depths()) t.image.format = b.short_depths ? texture_image::short_depths : texture_image::depths;
     if (compared)
         t.image.compare = b.as.direction == umbrage::depth_direction::forward ? texture_image::less_equal
                                                                               : texture_image::greater_equal;
