@@ -83,14 +83,20 @@ private:
     std::vector<std::pair<version, context*>> dialects_;
 };
 
+/// Whether Mesa draws on the processor: it does so on a device that it has no other driver for.
+bool is_software(const backend& b) {
+    const std::string name = b.name();
+    return name.starts_with("llvmpipe") || name.starts_with("softpipe");
+}
+
 bool has(const char* list, const char* word) { return list && std::strstr(list, word); }
 
-void add(backends& all, EGLDisplay display) {
+void add(backends& all, EGLDisplay display, bool hardware) {
     if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return;
     const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
     if (!has(extensions, "EGL_KHR_surfaceless_context") || !has(extensions, "EGL_KHR_no_config_context")) return;
     auto one = std::make_unique<egl>(display);
-    if (!one->empty()) all.push_back(std::move(one));
+    if (!one->empty() && is_software(*one) != hardware) all.push_back(std::move(one));
 }
 
 }  // namespace
@@ -108,7 +114,7 @@ backends egl_backends(std::string_view driver) {
             setenv("MESA_GLSL_VERSION_OVERRIDE", "460", 1);
         }
         if (has(client, "EGL_MESA_platform_surfaceless"))
-            add(all, eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+            add(all, eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), false);
         return all;
     }
     const auto query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
@@ -120,7 +126,7 @@ backends egl_backends(std::string_view driver) {
     if (query_devices(32, devices, &count) != EGL_TRUE) return all;
     for (EGLint i = 0; i < count; ++i)
         if (!has(query_string(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software"))
-            add(all, eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+            add(all, eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr), true);
     return all;
 }
 

@@ -32,7 +32,7 @@ constexpr const char* usage = R"(Every entry on one implementation, in all its d
   --other-every  one in N in the other dialects, and of entries with bound maps or alike
   --whole        as many of each enumeration, in one dialect, 65536; 16777216 is all of every one
   --out          where parity-BACKEND.tsv goes, the table of all entries; without a filter alone
-  --report       where report-*.md go, a page for each API of each device; these and hardware's arithmetic is probed first
+  --report       folder of a page for each API, report-*.md, with a probe of its arithmetic; hardware is always probed
   --mistake      printers write TO for FROM; the exit status is 0 when results differ for it
 
 Exit status: 0 agrees, 1 differs, 2 called wrongly, 77 nothing here to run on.
@@ -182,9 +182,10 @@ backends find(const std::string& driver) {
 }
 
 void print_arithmetic(const report& r) {
-    if (!r.probed) return;
     std::cout << "arithmetic of " << r.of.api << ", " << r.probed_in;
-    for (const std::string& line : described(*r.probed)) std::cout << "; " << line;
+    if (!r.probed) std::cout << "; not probed: " << r.unprobed;
+    else
+        for (const std::string& line : described(*r.probed)) std::cout << "; " << line;
     std::cout << std::endl;
 }
 

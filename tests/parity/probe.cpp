@@ -17,7 +17,7 @@ constexpr std::size_t trials = 4096;
 
 constexpr snippet nothing{.name = "nothing", .summary = {}, .source = "\n"};
 
-/// Every operation in variables of their own, `precise` or not: it is a variable's.
+/// Each operation has its own variable, since `precise` qualifies variables.
 std::string expressions(int precise) {
     return umbrage::glsl::detail::filled(R"(
 UMBRAGE_HIGHP vec4 umbrage_products(UMBRAGE_HIGHP vec4 v) {
@@ -48,7 +48,7 @@ bool any(const std::vector<vec4>& results, vec4 expected) {
     return std::ranges::any_of(results, [&](vec4 r) { return r != expected; });
 }
 
-/// Values come from textures: what a compiler knows, it computes itself.
+/// Runs a call. Values come from textures, so that no compiler folds them.
 struct asker {
     backend& b;
     dialect d;
@@ -58,18 +58,15 @@ struct asker {
         return run_once(b, d, {.primitive = &s, .call = std::move(call), .output = output},
                         {std::move(x0), std::move(x1)});
     }
-    [[nodiscard]] vec4 one(std::string call, vec4 x0, vec4 x1 = vec4(0.0f)) const {
-        const bool two = call.find("x1") != call.npos;
-        return (*this)(nothing, std::move(call), {x0}, two ? std::vector{x1} : std::vector<vec4>{}).front();
-    }
-    /// What a bound map's function gives; nothing where it cannot be asked.
+    [[nodiscard]] vec4 one(std::string call, vec4 x0) const { return (*this)(nothing, std::move(call), {x0}).front(); }
+    /// Results of an entry with a bound map; empty where it cannot run.
     [[nodiscard]] std::vector<vec4> bound(entry e, std::vector<vec4> x0) const {
         if (!e.runs_in(d) || !b.obstacle(e).empty()) return {};
         return run_once(b, d, std::move(e), {std::move(x0)});
     }
 };
 
-/// a * b and -a * b as c: what is left when they are added is what rounding took, or nothing.
+/// With c = -(a * b) rounded, a * b + c is zero. Fused, it is the rounding error.
 bool fuses(const asker& ask, const snippet& s) {
     random r(1);
     std::vector<vec4> v(trials);
@@ -94,7 +91,7 @@ std::vector<vec4> random_values(float lowest_exponent, float highest_exponent, f
     return all;
 }
 
-/// Exact results in double, whose rounding is the right one.
+/// Largest error in ulp; `exact` gives the result in double.
 std::int64_t worst(const std::vector<vec4>& in, const std::vector<vec4>& got, int channel, auto exact) {
     std::int64_t ulp = 0;
     for (std::size_t i = 0; i < got.size(); ++i)
@@ -134,7 +131,7 @@ void ask_special_values(const asker& ask, arithmetic& a) {
         a.sees_nan_isnan = ask.one("vec4(isnan(x0.x) ? 1.0 : 0.0)", vec4(nan)).x == 1.0f;
 }
 
-/// The last of 1 + 1/2, 1 + 1/4, .. that is exact, or 1.
+/// Counts the exact sums of 1 + 1/2, 1 + 1/4, .., and the leading 1.
 int significand(const std::vector<vec4>& sums) {
     int bits = 1;
     while (bits <= static_cast<int>(sums.size()) &&
@@ -181,7 +178,7 @@ void ask_bytes(const asker& ask, arithmetic& a) {
     }
 }
 
-/// A receiver walks from a texel that hides it to one that does not: as many weights as there are, two to the bits.
+/// Counts the weights between the center of a texel in shadow and that of a lit one: 2^bits.
 void ask_weights(const asker& ask, arithmetic& a) {
     constexpr int bits = 14;
     entry e{.primitive = &umbrage::glsl::lit_at,

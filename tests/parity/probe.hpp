@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What an implementation's arithmetic does: a few operations in shaders of their own, whatever the language.
+// Probes an implementation's arithmetic: fusing, rounding, denormals, NaN. Small shaders run on any back end that
+// compiles.
 //
 //     for (const std::string& line : described(probe(backend, dialect))) std::cout << line << '\n';
 #pragma once
@@ -14,10 +15,10 @@
 
 namespace parity {
 
-/// What an optional result does not have, the dialect or the implementation cannot be asked.
+/// Results of a probe. An empty optional was not probed: the dialect or the implementation lacks the feature.
 struct arithmetic {
-    /// A liberty that the compiler takes: with an expression as it stands, and with one that is `precise` in this
-    /// dialect.
+    /// Whether the compiler changes an expression: as it stands, and in a `precise` variable. Dialects without
+    /// `precise` give both the same.
     struct liberty {
         bool plain = false, precise = false;
         bool operator==(const liberty&) const = default;
@@ -25,7 +26,7 @@ struct arithmetic {
     liberty fuses;         ///< a * b + c rounds once
     liberty reassociates;  ///< (a + b) - a is b
 
-    std::int64_t sum_ulp = 0, product_ulp = 0;  ///< greatest error over random values, here and below
+    std::int64_t sum_ulp = 0, product_ulp = 0;  ///< largest error over random values
     std::int64_t quotient_ulp = 0, root_ulp = 0, inverse_root_ulp = 0, exp2_ulp = 0;
 
     bool flushes_inputs = false, flushes_results = false;  ///< denormals to zero
@@ -38,15 +39,15 @@ struct arithmetic {
     store unorm8_store = store::neither;
     std::optional<std::int64_t> unorm8_read_ulp;  ///< of k / 255
 
-    int highp_bits = 0;  ///< of the significand, the first one with them: 24 of a 32-bit float
+    int highp_bits = 0;  ///< of the significand with its leading 1: 24 in a 32-bit float
     std::optional<int> mediump_bits;
-    std::optional<int> weight_bits;  ///< of a linear comparison sampler's weight behind the point
+    std::optional<int> weight_bits;  ///< fractional bits of a linear comparison sampler's weight
 };
 
 /// @throws std::runtime_error   with the compiler's words
 [[nodiscard]] arithmetic probe(backend& b, dialect d);
 
-/// A line for each matter.
+/// One line of text per property.
 [[nodiscard]] std::vector<std::string> described(const arithmetic& a);
 
 }  // namespace parity

@@ -89,6 +89,13 @@ void list(std::ostream& out, const std::vector<row>& rows, auto wanted, auto tex
     }
 }
 
+void add_probe(report& r, backend& b, dialect d) {
+    try {
+        if (b.has_compiler()) r.probed = probe(b, d);
+        else r.unprobed = "its shaders were compiled with this program";
+    } catch (const std::exception& error) { r.unprobed = error.what(); }
+}
+
 }  // namespace
 
 std::vector<report> probe_all(backend& b) {
@@ -104,7 +111,7 @@ std::vector<report> probe_all(backend& b) {
     }
     for (report& r : all)
         for (const dialect d : dialects)
-            if (b.has_compiler() && b.label(d) == r.probed_in && b.about(d).api == r.of.api) r.probed = probe(b, d);
+            if (b.label(d) == r.probed_in && b.about(d).api == r.of.api) add_probe(r, b, d);
     return all;
 }
 
@@ -116,14 +123,16 @@ std::string write(const report& r, const std::string& command, const std::string
     print_system(out, r, command);
 
     out << "\n## Arithmetic\n\n";
-    if (!r.probed) out << "Not probed: the shaders were compiled with the program.\n";
+    if (!r.probed) out << "Not probed: " << r.unprobed << ".\n";
     else {
         for (const std::string& line : described(*r.probed)) out << "- " << line << '\n';
         out << "\nIn " << r.probed_in << ".\n";
     }
 
     out << "\n## Entries\n\nAn entry is a primitive with one kind of map and parameters. It counts by its worst "
-           "result.\n\n";
+           "result.\n"
+           "A sample of the "
+        << entries().size() << " entries and their dialects ran, unless the command asks for all.\n\n";
     print(out, by_tier(r.rows));
     out << "\n- identical: the bits of C++; NaN equals NaN\n"
            "- as promised: within the tier's bound; a denormal may be zero, and -0 may be 0\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One page on an implementation, to keep or to send.
+// A page about one implementation, to keep or to send.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,22 @@
 
 namespace parity {
 
-/// One API of an implementation.
+/// Results in the dialects of one API.
 struct report {
     identity of{};
-    std::vector<std::string> dialects{};  ///< that it speaks
-    std::optional<arithmetic> probed{};
-    std::string probed_in{};  ///< the dialect
+    std::vector<std::string> dialects{};
+    std::string probed_in{};             ///< the dialect of the probe
+    std::optional<arithmetic> probed{};  ///< empty: `unprobed` says why
+    std::string unprobed{};
     std::vector<row> rows{};
 };
 
-/// The dialects' APIs, each with what its newest dialect of GLSL, or else its last, says of arithmetic.
+/// A report for each API, still without rows. The probe runs in the newest dialect of GLSL, or else the last dialect.
 [[nodiscard]] std::vector<report> probe_all(backend& b);
 
-/// As report-<api>-<device>.md, in Markdown. The folder is made.
-/// @param command   what was run
-/// @return          the file's path
+/// Writes report-<api>-<device>.md into the folder, which it makes.
+/// @param command   the command line
+/// @return          the path of the file
 /// @throws std::runtime_error   the file cannot be written
 std::string write(const report& r, const std::string& command, const std::string& folder);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How an implementation's results agree with C++, in the three words that every table and page has.
+// Sorts an entry's results on an implementation by how they agree with C++. All tables and pages use these words.
 #pragma once
 
 #include <string_view>
@@ -9,13 +9,13 @@
 
 namespace parity {
 
-/// identical: the same bits, NaN equal to NaN. as promised: what compare() accepts besides, a flushed denormal, -0 for
-/// 0, an error within its bound. different: anything else.
+/// identical: the same bits; NaN equals NaN. as promised: accepted by compare(): a flushed denormal, -0 for 0, an error
+/// within the bound. different: anything else.
 enum class verdict { identical, as_promised, different };
 
 inline constexpr std::string_view verdict_names[]{"identical", "as promised", "different"};
 
-/// The worst of the results'.
+/// The worst verdict of the results.
 [[nodiscard]] inline verdict verdict_of(const tally& t) {
     if (t.different > 0) return verdict::different;
     return t.identical == t.total ? verdict::identical : verdict::as_promised;
