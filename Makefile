@@ -4,6 +4,7 @@
 #     make gallery   every system, encoding, bias and filter on one page: build/gallery/index.html
 #     make test    builds and runs every test
 #     make unit T=filter/pcf/box   builds and runs one header's unit tests; without T all of them
+#     make gpu     what this machine's GPU computes beside C++: a page for each API, build/gpu/report-*.md
 #     make lint    the rules of the house that scripts hold
 #     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
@@ -22,6 +23,8 @@ test_packages := $(demo_packages) clang-14 libc++-13-dev libc++abi-13-dev doctes
     libepoxy-dev libglfw3-dev xauth xvfb \
     g++-aarch64-linux-gnu qemu-user \
     chromium $(node_packages)
+
+gpu_packages := $(build_packages) doctest-dev glslang-dev libegl-dev libgles-dev libvulkan-dev
 
 bench_packages := $(test_packages) gnuplot-nox libbenchmark-dev libembree-dev libopencv-dev nlohmann-json3-dev
 
@@ -64,7 +67,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit lint newest-clang demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test unit gpu lint newest-clang demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -80,6 +83,22 @@ unit:
 	@test -f build/dev/build.ninja || cmake --preset dev
 	cmake --build --preset dev --target $(if $(T),$(program),unit)
 	$(if $(T),build/dev/tests/$(program),ctest --preset dev -R '^unit/')
+
+# A sample, in minutes; `make gpu SAMPLE=` runs every entry in every dialect over 2^20 inputs. A software driver can stand
+# in for the GPU: make gpu BACKEND=lavapipe
+BACKEND ?= hardware
+SAMPLE ?= --count 16384 --other-count 4096 --other-every 4 --whole 16384
+gpu:
+	$(call install,$(gpu_packages))
+	cmake --preset dev -B build/gpu -D UMBRAGE_BUILD_EXAMPLES=OFF
+	cmake --build build/gpu --target parity
+	@build/gpu/tests/parity/parity --backend $(BACKEND) $(SAMPLE) --report build/gpu --out build/gpu; \
+    case $$? in \
+        0) echo "Nothing differs. The pages are build/gpu/report-*.md; this was a sample: make gpu SAMPLE= runs all." ;; \
+        1) echo "Results differ: build/gpu/report-*.md name the entries. Please open an issue with them."; exit 1 ;; \
+        77) echo "Nothing was tried." ;; \
+        *) exit 1 ;; \
+    esac
 
 lint:
 	$(call install,$(test_packages))

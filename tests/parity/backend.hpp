@@ -37,13 +37,22 @@ struct job {
 /// As many of the entry's enumeration, in an order in which any part is a fair sample; on the entry's first map.
 [[nodiscard]] job make_whole_job(const entry& e, std::size_t first, std::size_t count, std::uint64_t serial);
 
+/// What an implementation says of itself. Dialects of one API have it in common.
+struct identity {
+    std::string api, version{}, device{}, driver{};  ///< what is unknown is empty
+};
+
 class backend {
 public:
     virtual ~backend() = default;
 
     [[nodiscard]] virtual std::string name() const = 0;  ///< of the implementation, as it calls itself
+    [[nodiscard]] virtual identity about(dialect) const { return {.api = name()}; }
     [[nodiscard]] virtual std::vector<dialect> dialects() const = 0;
     [[nodiscard]] virtual std::string label(dialect d) const { return parity::name(d); }
+
+    /// False where only the shaders of entries() exist.
+    [[nodiscard]] virtual bool has_compiler() const { return true; }
 
     /// Why this entry cannot run here, e.g. a texture that is too large; empty when it can.
     [[nodiscard]] virtual std::string obstacle(const entry&) const { return {}; }
@@ -53,13 +62,16 @@ public:
     [[nodiscard]] virtual std::vector<vec4> run(dialect d, const job& j, std::size_t count) = 0;
 };
 
+/// The results of an entry that is not one of entries(), with x[k] as inputs.
+[[nodiscard]] std::vector<vec4> run_once(backend& b, dialect d, entry e, std::array<std::vector<vec4>, max_inputs> x);
+
 using backends = std::vector<std::unique_ptr<backend>>;
 
 /// Mesa's software drivers ("llvmpipe", "softpipe"), or every other device EGL knows ("hardware"). Empty: none here.
 [[nodiscard]] backends egl_backends(std::string_view driver);
 
-/// Vulkan in software ("lavapipe", "naga", which is WGSL on lavapipe, or "swiftshader_vulkan", the browser's), or every
-/// other device Vulkan knows ("hardware"). Empty: none here.
+/// Vulkan in software ("lavapipe", "lavapipe_compute", which does not draw, "naga", which is WGSL on lavapipe, or
+/// "swiftshader_vulkan", the browser's), or every other device Vulkan knows ("hardware"). Empty: none here.
 [[nodiscard]] backends vulkan_backends(std::string_view driver);
 
 /// WebGL 1 and 2 in a browser, on SwiftShader. Empty, and said why, where the browser or what drives it is missing.

@@ -17,6 +17,7 @@ namespace parity {
 struct tally {
     std::map<std::string, std::uint64_t> inputs;  ///< per class
     std::uint64_t total = 0, different = 0, flushed = 0;
+    std::uint64_t identical = 0;  ///< to the bit; NaN equals NaN
     std::int64_t worst_ulp = 0;
     float worst_distance = 0.0f;  ///< where that is what counts
 };

@@ -15,6 +15,7 @@ public:
     [[nodiscard]] std::string name() const override { return "text as C++"; }
     [[nodiscard]] std::vector<dialect> dialects() const override { return {version::v460}; }
     [[nodiscard]] std::string label(dialect) const override { return "C++"; }
+    [[nodiscard]] bool has_compiler() const override { return false; }
     [[nodiscard]] std::vector<vec4> run(dialect, const job& j, std::size_t count) override {
         using namespace umbrage;
         const auto call = glsl_as_cpp::functions.at(static_cast<std::size_t>(j.what - entries().data()));

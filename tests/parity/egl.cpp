@@ -52,7 +52,8 @@ public:
     }
 
     [[nodiscard]] bool empty() const { return dialects_.empty(); }
-    [[nodiscard]] std::string name() const override { return contexts_.front()->renderer(); }
+    [[nodiscard]] std::string name() const override { return contexts_.front()->about().device; }
+    [[nodiscard]] identity about(dialect d) const override { return context_of(d).about(); }
     [[nodiscard]] std::vector<dialect> dialects() const override {
         std::vector<dialect> all;
         for (const auto& [v, c] : dialects_) all.push_back(v);
@@ -68,24 +69,34 @@ public:
                std::to_string(limit);
     }
     [[nodiscard]] std::vector<vec4> run(dialect d, const job& j, std::size_t count) override {
-        for (const auto& [v, c] : dialects_)
-            if (d == v) return c->run(v, j, count);
-        throw std::runtime_error("no context for " + label(d));
+        return context_of(d).run(d.of_glsl, j, count);
     }
 
 private:
+    [[nodiscard]] context& context_of(dialect d) const {
+        for (const auto& [v, c] : dialects_)
+            if (d == v) return *c;
+        throw std::runtime_error("no context for " + label(d));
+    }
+
     std::vector<std::unique_ptr<context>> contexts_;
     std::vector<std::pair<version, context*>> dialects_;
 };
 
+/// Whether Mesa draws on the processor: it does so on a device that it has no other driver for.
+bool is_software(const backend& b) {
+    const std::string name = b.name();
+    return name.starts_with("llvmpipe") || name.starts_with("softpipe");
+}
+
 bool has(const char* list, const char* word) { return list && std::strstr(list, word); }
 
-void add(backends& all, EGLDisplay display) {
+void add(backends& all, EGLDisplay display, bool hardware) {
     if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return;
     const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
     if (!has(extensions, "EGL_KHR_surfaceless_context") || !has(extensions, "EGL_KHR_no_config_context")) return;
     auto one = std::make_unique<egl>(display);
-    if (!one->empty()) all.push_back(std::move(one));
+    if (!one->empty() && is_software(*one) != hardware) all.push_back(std::move(one));
 }
 
 }  // namespace
@@ -103,7 +114,7 @@ backends egl_backends(std::string_view driver) {
             setenv("MESA_GLSL_VERSION_OVERRIDE", "460", 1);
         }
         if (has(client, "EGL_MESA_platform_surfaceless"))
-            add(all, eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+            add(all, eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), false);
         return all;
     }
     const auto query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
@@ -115,7 +126,7 @@ backends egl_backends(std::string_view driver) {
     if (query_devices(32, devices, &count) != EGL_TRUE) return all;
     for (EGLint i = 0; i < count; ++i)
         if (!has(query_string(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software"))
-            add(all, eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+            add(all, eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr), true);
     return all;
 }
 

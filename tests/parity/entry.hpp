@@ -92,9 +92,15 @@ struct bound_map {
     bool linear = false;          ///< the sampler's filter; else the nearest texel
     std::string which{};          ///< an array's layer or an atlas's origin, of x0 .. x5 in GLSL; empty: a fixed one
     bool short_depths = false;    ///< a depth texture of 16 bits; else of floats
+    bool bytes = false;           ///< a texture of 8 bits a channel; else of floats
 
     [[nodiscard]] bool is_region() const { return umbrage::glsl::detail::has_region(as); }
     [[nodiscard]] bool compares() const { return umbrage::glsl::detail::compares(as.texture); }
+    /// Whether it is a depth texture.
+    [[nodiscard]] bool has_depths() const {
+        using enum umbrage::glsl::texture;
+        return compares() || as.texture == depth || as.texture == depth_array;
+    }
     /// Whether the sampler is an argument of its own.
     [[nodiscard]] bool has_sampler(dialect::language in) const;
     /// `as` with its texts in another language.

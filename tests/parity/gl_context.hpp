@@ -108,9 +108,11 @@ public:
             throw std::runtime_error("eglMakeCurrent failed");
     }
 
-    [[nodiscard]] std::string renderer() const {
+    [[nodiscard]] identity about() const {
         make_current();
-        return reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
+        const auto text = [&](GLenum what) { return std::string(reinterpret_cast<const char*>(gl_.GetString(what))); };
+        const std::string version = text(GL_VERSION);
+        return {version.starts_with("OpenGL ES") ? "OpenGL ES" : "OpenGL", version, text(GL_RENDERER), text(GL_VENDOR)};
     }
     [[nodiscard]] int max_size() const { return max_size_; }
 
@@ -161,7 +163,8 @@ private:
         const names formats[] = {{0, GL_RGBA32F, GL_RGBA, GL_FLOAT},
                                  {0, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
                                  {0, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
-                                 {0, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT}};
+                                 {0, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT},
+                                 {0, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}};
         names n = formats[t.format];
         n.target = targets[t.shape];
         return n;

@@ -6,7 +6,6 @@
 //     mediump      prints a table; exit status 0 as expected, 1 otherwise, 77 no llvmpipe here
 #include <array>
 #include <cmath>
-#include <deque>
 #include <iomanip>
 #include <iostream>
 #include <stdexcept>
@@ -27,18 +26,13 @@ constexpr snippet high_again{
 /// `call` over inputs x0, in mediump.
 std::vector<vec4> run(backend& b, version v, const snippet& s, std::string call, std::vector<vec4> inputs,
                       target output = target::rgba32f) {
-    static std::deque<entry> entries;  // back ends know them by their places
-    entries.push_back({.primitive = &s,
-                       .call = std::move(call),
-                       .also = {&umbrage::glsl::to_unorm, &high_again},
-                       .preamble = low,
-                       .output = output});
-    job j;
-    j.what = &entries.back();
-    j.count = inputs.size();
-    j.x[0] = std::move(inputs);
-    j.serial = entries.size();
-    return b.run(v, j, j.count);
+    return run_once(b, v,
+                    {.primitive = &s,
+                     .call = std::move(call),
+                     .also = {&umbrage::glsl::to_unorm, &high_again},
+                     .preamble = low,
+                     .output = output},
+                    {std::move(inputs)});
 }
 
 /// Every binary16 value in [0, 1].

@@ -19,6 +19,7 @@ class metal final : public backend {
 public:
     [[nodiscard]] std::string name() const override { return "Metal as C++"; }
     [[nodiscard]] std::vector<dialect> dialects() const override { return {dialect::msl}; }
+    [[nodiscard]] bool has_compiler() const override { return false; }
     [[nodiscard]] std::vector<vec4> run(dialect, const job& j, std::size_t count) override {
         using namespace umbrage;
         const auto call = function_of(static_cast<std::size_t>(j.what - entries().data()));

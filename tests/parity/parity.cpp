@@ -3,7 +3,6 @@
 // Entries on one implementation, in its dialects, against C++. `usage` says how it is called.
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -14,7 +13,7 @@
 
 #include <unistd.h>
 
-#include "compare.hpp"
+#include "report.hpp"
 #include "shader.hpp"
 
 namespace parity {
@@ -23,9 +22,9 @@ namespace {
 constexpr const char* usage = R"(Every entry on one implementation, in all its dialects, against C++.
 
     parity --backend BACKEND [--filter TEXT] [--versions "100,300 es,450"] [--count N] [--other-count N]
-           [--every N] [--other-every N] [--whole N] [--out FOLDER] [--mistake FROM=TO]
+           [--every N] [--other-every N] [--whole N] [--out FOLDER] [--report FOLDER] [--mistake FROM=TO]
 
-  --backend      c++ llvmpipe softpipe lavapipe swiftshader swiftshader_vulkan metal naga tint hardware
+  --backend      c++ llvmpipe softpipe lavapipe lavapipe_compute swiftshader swiftshader_vulkan metal naga tint hardware
   --filter       only entries whose names have this in them; without it all, which takes minutes
   --versions     only these dialects
   --count        inputs of an entry in the main dialects, 1048576; --other-count: in the others, 65536
@@ -33,13 +32,14 @@ constexpr const char* usage = R"(Every entry on one implementation, in all its d
   --other-every  one in N in the other dialects, and of entries with bound maps or alike
   --whole        as many of each enumeration, in one dialect, 65536; 16777216 is all of every one
   --out          where parity-BACKEND.tsv goes, the table of all entries; without a filter alone
+  --report       folder of a page for each API, report-*.md, with a probe of its arithmetic; hardware is always probed
   --mistake      printers write TO for FROM; the exit status is 0 when results differ for it
 
 Exit status: 0 agrees, 1 differs, 2 called wrongly, 77 nothing here to run on.
 )";
 
 struct options {
-    std::string driver, filter, versions, out = ".";
+    std::string driver, filter, versions, out = ".", report, command;
     std::size_t count = std::size_t(1) << 20;        ///< in the main dialects: one of each kind of GLSL, and languages
     std::size_t other_count = std::size_t(1) << 16;  ///< in the others
     std::size_t every = 1, other_every = 1;
@@ -66,6 +66,7 @@ struct options {
 
 options parse(int argc, char** argv) {
     options o;
+    for (int i = 0; i < argc; ++i) o.command += (i ? " " : "") + std::string(i ? argv[i] : "parity");
     for (int i = 1; i < argc; i += 2) {
         const std::string name = argv[i];
         if (i + 1 >= argc) throw std::invalid_argument(name + " needs a value");
@@ -74,6 +75,7 @@ options parse(int argc, char** argv) {
         else if (name == "--filter") o.filter = value;
         else if (name == "--versions") o.versions = value;
         else if (name == "--out") o.out = value;
+        else if (name == "--report") o.report = value;
         else if (name == "--mistake") planted = {value.substr(0, value.find('=')), value.substr(value.find('=') + 1)};
         else if (name == "--whole") o.whole = std::stoull(value);
         else if (name == "--count") o.count = std::stoull(value);
@@ -91,11 +93,6 @@ options parse(int argc, char** argv) {
 
 constexpr std::size_t at_most = std::size_t(1) << 20;  // inputs of one draw
 
-struct row {
-    std::string primitive, exactness, implementation, language, obstacle;
-    tally t;
-};
-
 std::string tier_name(const snippet& s) {
     const std::string names[] = {"A", "B", "C"};
     std::ostringstream all;
@@ -112,14 +109,16 @@ std::vector<vec4> twins(const job& j) {
     return all;
 }
 
+/// Of what compare() says of several results, the first.
+std::string first_example(const std::string& log) { return log.substr(0, log.find("  differs:", 1)); }
+
 std::vector<row> run(const entry& e, backend& b, const options& o) {
     const bool only = b.dialects().size() == 1;
     std::vector<dialect> dialects;
     for (dialect d : b.dialects())
         if (e.runs_in(d) && o.wants(b, d) && o.samples(e, b, d) && o.inputs(e, d, only) > 0) dialects.push_back(d);
     std::vector<row> rows;
-    for (dialect d : dialects)
-        rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(d), b.obstacle(e), {}});
+    for (dialect d : dialects) rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(d), b.obstacle(e)});
     if (rows.empty() || !rows.front().obstacle.empty()) return rows;
 
     std::size_t most = 0;
@@ -127,10 +126,18 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     static std::uint64_t serial = 0;
     bool told = false;  // one dialect's differences in full are enough
     const auto judge = [&](const job& j, const expectation& expected, std::size_t d, std::size_t count) {
+        row& r = rows[d];
+        if (!r.broken.empty()) return;
         std::ostringstream log;
-        compare(j, expected, b.run(dialects[d], j, count), rows[d].t, log);
+        try {
+            compare(j, expected, b.run(dialects[d], j, count), r.t, log);
+        } catch (const std::exception& error) {
+            r.broken = error.what();
+            std::cout << "BROKEN: " << e.name() << " in " << r.language << ": " << r.broken << std::endl;
+        }
         if (log.str().empty()) return;
-        std::cout << "in " << rows[d].language << '\n';
+        if (r.example.empty()) r.example = first_example(log.str());
+        std::cout << "in " << r.language << '\n';
         std::cout << (std::exchange(told, true) ? "  differs: " + e.name() + '\n' : log.str());
     };
 
@@ -159,56 +166,11 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     return rows;
 }
 
-std::string per_class(const tally& t) {
-    std::string all;
-    for (const auto& [name, n] : t.inputs) all += (all.empty() ? "" : "; ") + name + "=" + std::to_string(n);
-    return all;
-}
-
-void write(const std::vector<row>& rows, const std::string& path) {
-    std::ofstream file(path);
-    file << "primitive\ttier\timplementation\tdialect\tinputs\tdiffering\tworst_ulp\tflushed\tclasses\tobstacle\n";
-    for (const row& r : rows)
-        file << r.primitive << '\t' << r.exactness << '\t' << r.implementation << '\t' << r.language << '\t'
-             << r.t.total << '\t' << r.t.different << '\t' << r.t.worst_ulp << '\t' << r.t.flushed << '\t'
-             << per_class(r.t) << '\t' << r.obstacle << '\n';
-    if (!file) throw std::runtime_error("cannot write " + path);
-}
-
-/// One line for each run of rows that agree on all but the dialect.
-void print(const std::vector<row>& rows) {
-    std::cout << std::left << std::setw(34) << "primitive" << std::setw(9) << "tier" << std::right << std::setw(11)
-              << "inputs" << std::setw(10) << "differ" << std::setw(9) << "max ulp" << std::setw(9) << "flushed"
-              << "   dialects\n";
-    for (std::size_t i = 0; i < rows.size();) {
-        tally sum;
-        std::string dialects;
-        std::size_t k = i;
-        for (; k < rows.size() && rows[k].primitive == rows[i].primitive &&
-               rows[k].implementation == rows[i].implementation;
-             ++k) {
-            sum.total += rows[k].t.total;
-            sum.different += rows[k].t.different;
-            sum.flushed += rows[k].t.flushed;
-            sum.worst_ulp = std::max(sum.worst_ulp, rows[k].t.worst_ulp);
-            sum.worst_distance = std::max(sum.worst_distance, rows[k].t.worst_distance);
-            for (const auto& [name, n] : rows[k].t.inputs) sum.inputs[name] += n;
-            dialects += (dialects.empty() ? "" : ", ") + rows[k].language;
-        }
-        std::cout << std::left << std::setw(34) << rows[i].primitive << std::setw(9) << rows[i].exactness << std::right
-                  << std::setw(11) << sum.total << std::setw(10) << sum.different << std::setw(9) << sum.worst_ulp
-                  << std::setw(9) << sum.flushed << "   " << dialects << '\n';
-        if (sum.worst_distance > 0.0f) std::cout << "    greatest difference " << sum.worst_distance << '\n';
-        if (!rows[i].obstacle.empty()) std::cout << "    NOT RUN: " << rows[i].obstacle << '\n';
-        else std::cout << "    " << per_class(sum) << '\n';
-        i = k;
-    }
-}
-
 backends find(const std::string& driver) {
     if (driver == "c++") return cpp_backends();
     if (driver == "metal") return metal_backends();
-    if (driver == "lavapipe" || driver == "naga" || driver == "swiftshader_vulkan") return vulkan_backends(driver);
+    for (const char* vulkan : {"lavapipe", "lavapipe_compute", "naga", "swiftshader_vulkan"})
+        if (driver == vulkan) return vulkan_backends(driver);
     if (driver == "swiftshader") return webgl_backends();
     if (driver == "tint") return webgpu_backends();
     if (driver != "llvmpipe" && driver != "softpipe" && driver != "hardware")
@@ -217,6 +179,23 @@ backends find(const std::string& driver) {
     if (driver == "hardware")
         for (auto& b : vulkan_backends(driver)) all.push_back(std::move(b));
     return all;
+}
+
+void print_arithmetic(const report& r) {
+    std::cout << "arithmetic of " << r.of.api << ", " << r.probed_in;
+    if (!r.probed) std::cout << "; not probed: " << r.unprobed;
+    else
+        for (const std::string& line : described(*r.probed)) std::cout << "; " << line;
+    std::cout << std::endl;
+}
+
+/// A page for each API, of the rows in its dialects.
+void write(const std::vector<report>& reports, const std::vector<row>& rows, const options& o) {
+    for (report r : reports) {
+        for (const row& one : rows)
+            if (std::ranges::find(r.dialects, one.language) != r.dialects.end()) r.rows.push_back(one);
+        std::cout << "written: " << write(r, o.command, o.report) << '\n';
+    }
 }
 
 int run_all(int argc, char** argv) {
@@ -228,42 +207,45 @@ int run_all(int argc, char** argv) {
     const auto start = std::chrono::steady_clock::now();
     const backends all = find(o.driver);
     if (all.empty()) {
-        std::cout << "SKIPPED: no " << o.driver << " here\n";
+        const bool gpu = o.driver == "hardware";
+        std::cout << "SKIPPED: " << (gpu ? "neither EGL nor Vulkan has a GPU here" : "no " + o.driver + " here")
+                  << '\n';
         return 77;
     }
     std::vector<row> rows;
-    std::size_t broken = 0;
     for (const auto& b : all) {
         std::cout << o.driver << " is " << b->name() << std::endl;
+        std::vector<report> reports;
+        if (o.driver == "hardware" || !o.report.empty()) reports = probe_all(*b);
+        for (const report& r : reports) print_arithmetic(r);
+        const std::size_t first = rows.size();
         for (const entry& e : entries()) {
             if (e.name().find(o.filter) == std::string::npos) continue;
             if (isatty(STDERR_FILENO))
                 std::cerr << "\r\33[K" << 100 * (&e - entries().data()) / static_cast<std::ptrdiff_t>(entries().size())
                           << " % " << e.name() << std::flush;
-            try {
-                const auto some = run(e, *b, o);
-                rows.insert(rows.end(), some.begin(), some.end());
-            } catch (const std::exception& error) {
-                ++broken;
-                std::cout << "BROKEN: " << e.name() << ": " << error.what() << std::endl;
-            }
+            const auto some = run(e, *b, o);
+            rows.insert(rows.end(), some.begin(), some.end());
         }
+        if (!o.report.empty()) write(reports, {rows.begin() + first, rows.end()}, o);
     }
     if (isatty(STDERR_FILENO)) std::cerr << "\r\33[K";
-    print(rows);
+    print(std::cout, rows);
+    print(std::cout, by_tier(rows));
     if (o.tables()) write(rows, o.out + "/parity-" + o.driver + ".tsv");
 
-    std::uint64_t inputs = 0, different = 0, starved = 0, not_run = 0;
+    std::uint64_t inputs = 0, different = 0, starved = 0, not_run = 0, broken = 0;
     for (const row& r : rows) {
         inputs += r.t.total;
         different += r.t.different;
         not_run += r.obstacle.empty() ? 0 : 1;
+        broken += r.broken.empty() ? 0 : 1;
         for (const auto& [name, n] : r.t.inputs) starved += n == 0 ? 1 : 0;
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::cout << "parity on " << o.driver << ": " << entries().size() << " entries, " << rows.size() - not_run
               << " runs, " << not_run << " not possible here, " << inputs << " inputs, " << different
-              << " differing results, " << broken << " broken entries, " << starved << " classes without input, "
+              << " differing results, " << broken << " broken runs, " << starved << " classes without input, "
               << std::fixed << std::setprecision(1) << seconds.count() << " s\n";
     if (!planted.from.empty()) return different ? 0 : 1;
     return different || broken || starved || inputs == 0 ? 1 : 0;

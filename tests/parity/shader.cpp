@@ -168,21 +168,24 @@ std::string with_mistake(std::string text) {
     return text;
 }
 
-shader make_shader(const entry& e, dialect d) {
-    if (d == dialect::hlsl) return {"", with_mistake(make_hlsl(e))};
+shader make_shader(const entry& e, dialect d, shader_stage of) {
+    if (d == dialect::hlsl) return {"", with_mistake(make_hlsl(e, of))};
     if (d == dialect::wgsl) return {"", with_mistake(make_wgsl(e))};
     const version v = d.of_glsl;
     const bool old = v == version::v100 || v == version::v110 || v == version::v120;
     const bool es = v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
-    const bool vulkan = v == version::vulkan;
+    const bool vulkan = v == version::vulkan, compute = of == shader_stage::compute;
     const auto located = [&](const char* what) { return (vulkan ? "layout(location = 0) " : "") + std::string(what); };
 
+    const std::string pixel = compute ? "gl_GlobalInvocationID.xy" : "gl_FragCoord.xy";
     const std::vector<snippet> none;
     shader s;
-    s.vertex = source(v, none) +
-               (old ? "attribute vec2 corner;\nvarying UMBRAGE_HIGHP vec2 position;\n" : located("in vec2 corner;\n")) +
-               "void main() {\n" + (old ? "    position = corner * 0.5 + 0.5;\n" : "") +
-               "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
+    if (!compute)
+        s.vertex =
+            source(v, none) +
+            (old ? "attribute vec2 corner;\nvarying UMBRAGE_HIGHP vec2 position;\n" : located("in vec2 corner;\n")) +
+            "void main() {\n" + (old ? "    position = corner * 0.5 + 0.5;\n" : "") +
+            "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
 
     // A host shader of low precision: the snippets must ask for what they need.
     const std::string preamble = (es ? "precision mediump float;\nprecision mediump int;\n" : "") + macros(e);
@@ -197,7 +200,11 @@ shader make_shader(const entry& e, dialect d) {
     }
     const bool map = !e.maps.empty();
     if (old && map) f += "uniform UMBRAGE_HIGHP vec2 map_size;\n";
-    f += old ? "varying UMBRAGE_HIGHP vec2 position;\n" : located("out UMBRAGE_HIGHP vec4 result;\n");
+    if (compute)
+        f += "layout(local_size_x = " + std::to_string(group_width) +
+             ") in;\nlayout(set = 0, binding = " + std::to_string(target_binding) + ", " + format_of(e.output) +
+             ") uniform writeonly image2D target;\n";
+    else f += old ? "varying UMBRAGE_HIGHP vec2 position;\n" : located("out UMBRAGE_HIGHP vec4 result;\n");
     f += "void main() {\n";
     if (!old && map) f += "    UMBRAGE_HIGHP vec2 map_size = " + map_size(e) + ";\n";
     for (int i = 0; i < max_inputs; ++i) {
@@ -205,7 +212,11 @@ shader make_shader(const entry& e, dialect d) {
         const std::string x = "x" + std::to_string(i);
         f += "    UMBRAGE_HIGHP vec4 " + x + " = " +
              (old ? "texture2D(" + x + "_texels, position);\n"
-                  : "texelFetch(" + x + "_texels, ivec2(gl_FragCoord.xy), 0);\n");
+                  : "texelFetch(" + x + "_texels, ivec2(" + pixel + "), 0);\n");
+    }
+    if (compute) {
+        f += "    imageStore(target, ivec2(" + pixel + "), " + call.result() + ");\n}\n";
+        return s;
     }
     // gl_FragColor is mediump in GLSL ES 1.00. Mesa drops the rounding of a product that is stored as it is, but not of
     // a value that comes out of a branch: that it rounds in the branch.

@@ -6,15 +6,20 @@
 // A triangle (-1,-1), (3,-1), (-1,3) in the attribute `corner` (location 0) covers the target.
 // Where there are bindings: x0 .. x5 are 0 .. 5, map 6, table 7, further maps 8 .. 10; from the map's on, samplers on
 // their own are 11 .. 15. Before GLSL 1.30, map_size is a uniform.
+// A compute shader of Vulkan stores into the target, an image at binding 16; a group has 64 pixels of a row.
 #pragma once
 
 #include "entry.hpp"
 
 namespace parity {
 
+enum class shader_stage { fragment, compute };
+
 struct shader {
-    std::string vertex, fragment;
+    std::string vertex, fragment;  ///< or the compute shader, and no vertex shader
 };
+
+inline constexpr std::uint32_t group_width = 64;
 
 /// An entry's call, as a snippet that the library prints too: umbrage_call(x0 .. x5, map, map_size, table), or for each
 /// of the bound maps umbrage_call_<name>. In GLSL an entry without any calls its primitive itself.
@@ -42,10 +47,14 @@ struct mistake {
 inline mistake planted;
 [[nodiscard]] std::string with_mistake(std::string text);
 
-/// The fragment shader in HLSL.
-[[nodiscard]] std::string make_hlsl(const entry& e);
+/// What an image is called that a compute shader stores in.
+[[nodiscard]] inline std::string format_of(target t) { return t == target::rgba8 ? "rgba8" : "rgba32f"; }
 
-[[nodiscard]] shader make_shader(const entry& e, dialect d);
+/// The fragment or compute shader in HLSL.
+[[nodiscard]] std::string make_hlsl(const entry& e, shader_stage of = shader_stage::fragment);
+
+/// @param of   compute: in Vulkan's GLSL and in HLSL alone
+[[nodiscard]] shader make_shader(const entry& e, dialect d, shader_stage of = shader_stage::fragment);
 
 /// The fragment shader in WGSL.
 [[nodiscard]] std::string make_wgsl(const entry& e);
@@ -54,7 +63,7 @@ inline constexpr std::size_t table_unit = max_inputs + 1, max_textures = max_inp
 [[nodiscard]] constexpr std::size_t map_unit(std::size_t k) { return k == 0 ? max_inputs : table_unit + k; }
 /// Where a texture's sampler is bound on its own; those of inputs never are.
 [[nodiscard]] constexpr std::size_t sampler_binding(std::size_t unit) { return max_textures + unit - max_inputs; }
-inline constexpr std::size_t max_bindings = sampler_binding(max_textures);
+inline constexpr std::size_t max_bindings = sampler_binding(max_textures), target_binding = max_bindings;
 
 /// What makes the size of a map of the size of its texture: less what a region has around it, or six faces' tiles.
 [[nodiscard]] std::string from_texture(const entry& e, dialect::language in);

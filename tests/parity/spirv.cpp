@@ -16,7 +16,7 @@ bool spirv_compiler::is_here() { return true; }
 
 std::vector<std::uint32_t> spirv_compiler::compile(const std::string& stage, const std::string& text,
                                                    language in) const {
-    const EShLanguage kind = stage == "vert" ? EShLangVertex : EShLangFragment;
+    const EShLanguage kind = stage == "vert" ? EShLangVertex : stage == "frag" ? EShLangFragment : EShLangCompute;
     const int words = EShMsgSpvRules | EShMsgVulkanRules | (in == hlsl ? EShMsgReadHlsl : EShMsgDefault);
     const auto messages = static_cast<EShMessages>(words);
     const char* const source = text.c_str();

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] static bool is_here();
 
     /// Code for Vulkan 1.0; that of GLSL is validated.
-    /// @param stage   "vert" or "frag"; the function is main
+    /// @param stage   "vert", "frag" or "comp"; the function is main
     /// @throws std::runtime_error   with the compiler's words, or the validator's
     [[nodiscard]] std::vector<std::uint32_t> compile(const std::string& stage, const std::string& text,
                                                      language in = glsl) const;

@@ -31,8 +31,8 @@ filled_texture bound_texture(const bound_map& b, int number, const texels& map) 
         t.image.shape = texture_image::array, t.image.layers = 2;
     if (umbrage::glsl::detail::is_cube(kind)) t.image.shape = texture_image::cube, t.image.layers = 6;
     if (kind == texture::integer) t.image.format = texture_image::whole_numbers;
-    if (compared || kind == texture::depth || kind == texture::depth_array)
-        t.image.format = b.short_depths ? texture_image::short_depths : texture_image::depths;
+    if (b.bytes) t.image.format = texture_image::bytes;
+    if (b.has_depths()) t.image.format = b.short_depths ? texture_image::short_depths : texture_image::depths;
     if (compared)
         t.image.compare = b.as.direction == umbrage::depth_direction::forward ? texture_image::less_equal
                                                                               : texture_image::greater_equal;
@@ -70,6 +70,7 @@ std::string filled_texture::bytes() const {
         if (image.format == texture_image::depths) append(all, t.x);
         else if (image.format == texture_image::short_depths)
             append(all, static_cast<std::uint16_t>(std::round(t.x * bound_map::most_short)));
+        else if (image.format == texture_image::bytes) append(all, glm::vec<4, std::uint8_t>(glm::round(t * 255.0f)));
         else append(all, glm::uvec4(t * bound_map::whole));
     }
     return all;

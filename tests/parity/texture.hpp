@@ -15,8 +15,8 @@ inline constexpr int width = 1024;
 /// One texture without mipmaps, clamped to its edges.
 struct texture_image {
     enum shapes { flat, array, cube };
-    /// RGBA32F, RGBA32UI, DEPTH_COMPONENT32F, DEPTH_COMPONENT16
-    enum formats { floats, whole_numbers, depths, short_depths };
+    /// RGBA32F, RGBA32UI, DEPTH_COMPONENT32F, DEPTH_COMPONENT16, RGBA8
+    enum formats { floats, whole_numbers, depths, short_depths, bytes };
     enum comparisons { none, less_equal, greater_equal };
 
     shapes shape = flat;
@@ -36,7 +36,7 @@ struct filled_texture {
     std::vector<vec4> texels{};
     int unorm_bits = 0;  ///< of the UNORM format that it stands for: 8 where every value is k / 255
 
-    /// As the format has them: four floats, four whole numbers, one float, one short a texel.
+    /// As the format has them: four floats, four whole numbers, one float, one short, four bytes a texel.
     [[nodiscard]] std::string bytes() const;
 };
 

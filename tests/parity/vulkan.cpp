@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Vulkan without a window; SPIR-V from the reference compiler, or of WGSL from naga.
+// Vulkan without a window; SPIR-V from the reference compiler, or of WGSL from naga. A device that cannot draw runs
+// compute shaders.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -8,7 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <filesystem>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "spirv.hpp"
 #include "texture.hpp"
 #include "vulkan_device.hpp"
+#include "vulkan_pipeline.hpp"
 
 namespace parity {
 namespace {
@@ -33,22 +35,31 @@ struct render_target {
 
 class vulkan final : public backend, vulkan_device {
 public:
-    /// @param naga   what compiles WGSL; empty: the others
-    vulkan(vk::raii::PhysicalDevice physical, std::unique_ptr<child> naga)
-        : vulkan_device(std::move(physical)), naga_(std::move(naga)) {
+    /// @param draws   false: in compute shaders even where it can
+    /// @param naga    what compiles WGSL; empty: the others
+    vulkan(vk::raii::PhysicalDevice physical, bool draws, std::unique_ptr<child> naga)
+        : vulkan_device(std::move(physical), draws), naga_(std::move(naga)) {
         using type = vk::DescriptorType;
+        const vk::ShaderStageFlags stages =
+            draws_ ? vk::ShaderStageFlagBits::eFragment : vk::ShaderStageFlagBits::eCompute;
         std::vector<vk::DescriptorSetLayoutBinding> bindings;
         for (std::uint32_t i = 0; i < max_bindings; ++i)
             bindings.push_back({.binding = i,
                                 .descriptorType = i < max_textures ? type::eCombinedImageSampler : type::eSampler,
                                 .descriptorCount = 1,
-                                .stageFlags = vk::ShaderStageFlagBits::eFragment});
+                                .stageFlags = stages});
+        if (!draws_)
+            bindings.push_back({.binding = target_binding,
+                                .descriptorType = type::eStorageImage,
+                                .descriptorCount = 1,
+                                .stageFlags = stages});
         set_layout_ = {device_,
                        vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
                                                          .pBindings = bindings.data()}};
         layout_ = {device_, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1, .pSetLayouts = &*set_layout_}};
         const std::array sizes{vk::DescriptorPoolSize{type::eCombinedImageSampler, max_textures},
-                               vk::DescriptorPoolSize{type::eSampler, max_bindings - max_textures}};
+                               vk::DescriptorPoolSize{type::eSampler, max_bindings - max_textures},
+                               vk::DescriptorPoolSize{type::eStorageImage, 1}};
         set_pool_ = {device_,
                      vk::DescriptorPoolCreateInfo{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
                                                   .maxSets = 1,
@@ -63,25 +74,31 @@ public:
         const float corners[] = {-1, -1, 3, -1, -1, 3};
         reserve(corners_, sizeof corners);
         std::memcpy(corners_.mapped, corners, sizeof corners);
-        for (render_target& t : targets_) {
-            const vk::AttachmentDescription colour{.format = t.format,
-                                                   .loadOp = vk::AttachmentLoadOp::eDontCare,
-                                                   .storeOp = vk::AttachmentStoreOp::eStore,
-                                                   .initialLayout = vk::ImageLayout::eGeneral,
-                                                   .finalLayout = vk::ImageLayout::eGeneral};
-            const vk::AttachmentReference first{0, vk::ImageLayout::eGeneral};
-            const vk::SubpassDescription subpass{.colorAttachmentCount = 1, .pColorAttachments = &first};
-            t.pass = {device_,
-                      vk::RenderPassCreateInfo{
-                          .attachmentCount = 1, .pAttachments = &colour, .subpassCount = 1, .pSubpasses = &subpass}};
-        }
+        if (!draws_) return;
+        for (render_target& t : targets_) t.pass = make_pass(device_, t.format);
     }
 
     [[nodiscard]] std::string name() const override {
         const std::string device = physical_.getProperties().deviceName.data();
         if (naga_) return "naga (" + device + ")";
-        return device.starts_with("llvmpipe") ? "lavapipe (" + device + ")"
-                                              : "Vulkan on " + device;  // not OpenGL's own, nor WebGL's
+        const std::string how = draws_ ? "" : ", computing";
+        return device.starts_with("llvmpipe") ? "lavapipe" + how + " (" + device + ")"
+                                              : "Vulkan on " + device + how;  // not OpenGL's own, nor WebGL's
+    }
+    [[nodiscard]] identity about(dialect) const override {
+        const vk::PhysicalDeviceProperties of = physical_.getProperties();
+        const auto number = [](std::uint32_t v) {
+            return std::to_string(VK_API_VERSION_MAJOR(v)) + '.' + std::to_string(VK_API_VERSION_MINOR(v)) + '.' +
+                   std::to_string(VK_API_VERSION_PATCH(v));
+        };
+        identity i{draws_ ? "Vulkan" : "Vulkan compute", number(of.apiVersion), of.deviceName.data(),
+                   std::to_string(of.driverVersion)};
+        if (of.apiVersion >= VK_API_VERSION_1_2) {
+            using driver = vk::PhysicalDeviceDriverProperties;
+            const auto chain = physical_.getProperties2<vk::PhysicalDeviceProperties2, driver>();
+            i.driver = std::string(chain.get<driver>().driverName) + ' ' + std::string(chain.get<driver>().driverInfo);
+        }
+        return i;
     }
     [[nodiscard]] std::vector<dialect> dialects() const override {
         if (naga_) return {dialect::wgsl};
@@ -91,6 +108,8 @@ public:
         return d == version::vulkan ? "Vulkan" : parity::name(d);
     }
     [[nodiscard]] std::string obstacle(const entry& e) const override {
+        if (!has_graphics() && std::ranges::any_of(e.bound, &bound_map::has_depths))
+            return "a Vulkan queue without graphics cannot fill a depth texture";
         const auto limit = physical_.getProperties().limits.maxImageDimension2D;
         return e.table.size().x <= static_cast<int>(limit)
                    ? ""
@@ -102,36 +121,34 @@ public:
         const bool bytes = j.what->output == target::rgba8;
         render_target& t = targets_[bytes ? 1 : 0];
         if (t.colour.what.size.y != height) {
+            using use = vk::ImageUsageFlagBits;
             t.frame = nullptr;
             t.colour = make_picture(t.format, {.size = {width, height}},
-                                    vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
-            t.frame = {device_, vk::FramebufferCreateInfo{.renderPass = *t.pass,
-                                                          .attachmentCount = 1,
-                                                          .pAttachments = &*t.colour.view,
-                                                          .width = width,
-                                                          .height = static_cast<std::uint32_t>(height),
-                                                          .layers = 1}};
+                                    (draws_ ? use::eColorAttachment : use::eStorage) | use::eTransferSrc);
+            if (draws_)
+                t.frame = {device_, vk::FramebufferCreateInfo{.renderPass = *t.pass,
+                                                              .attachmentCount = 1,
+                                                              .pAttachments = &*t.colour.view,
+                                                              .width = width,
+                                                              .height = static_cast<std::uint32_t>(height),
+                                                              .layers = 1}};
         }
         if (serial_ != j.serial) send(j);
         if (entry_ != j.what || dialect_ != d) {
-            pipeline_ = make_pipeline(*j.what, d, t.pass);
+            pipeline_ = make_pipeline(*j.what, d, *t.pass);
             entry_ = j.what;
             dialect_ = d;
         }
 
+        if (!draws_)  // the set has one target at a time
+            describe(target_binding, vk::DescriptorType::eStorageImage,
+                     {.imageView = *t.colour.view, .imageLayout = vk::ImageLayout::eGeneral});
+
         const std::size_t size = static_cast<std::size_t>(width * height) * (bytes ? 4 : sizeof(vec4));
         reserve(staging_, size);
         submit([&] {
-            const vk::Extent2D extent{width, static_cast<std::uint32_t>(height)};
-            commands_.beginRenderPass({.renderPass = *t.pass, .framebuffer = *t.frame, .renderArea = {{0, 0}, extent}},
-                                      vk::SubpassContents::eInline);
-            commands_.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
-            commands_.setViewport(0, vk::Viewport{0, 0, static_cast<float>(width), static_cast<float>(height), 0, 1});
-            commands_.setScissor(0, vk::Rect2D{{0, 0}, extent});
-            commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set_, nullptr);
-            commands_.bindVertexBuffers(0, *corners_.handle, vk::DeviceSize(0));
-            commands_.draw(3, 1, 0, 0);
-            commands_.endRenderPass();
+            if (draws_) draw(t, height);
+            else compute(height);
             barrier();
             commands_.copyImageToBuffer(*t.colour.image, vk::ImageLayout::eGeneral, *staging_.handle,
                                         whole(t.colour.what));
@@ -147,12 +164,41 @@ public:
     }
 
 private:
+    void draw(const render_target& t, int height) {
+        const vk::Extent2D extent{width, static_cast<std::uint32_t>(height)};
+        commands_.beginRenderPass({.renderPass = *t.pass, .framebuffer = *t.frame, .renderArea = {{0, 0}, extent}},
+                                  vk::SubpassContents::eInline);
+        commands_.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
+        commands_.setViewport(0, vk::Viewport{0, 0, static_cast<float>(width), static_cast<float>(height), 0, 1});
+        commands_.setScissor(0, vk::Rect2D{{0, 0}, extent});
+        commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set_, nullptr);
+        commands_.bindVertexBuffers(0, *corners_.handle, vk::DeviceSize(0));
+        commands_.draw(3, 1, 0, 0);
+        commands_.endRenderPass();
+    }
+
+    void compute(int height) {
+        constexpr auto point = vk::PipelineBindPoint::eCompute;
+        commands_.bindPipeline(point, *pipeline_);
+        commands_.bindDescriptorSets(point, *layout_, 0, *set_, nullptr);
+        commands_.dispatch(width / group_width, static_cast<std::uint32_t>(height), 1);
+    }
+
+    void describe(std::size_t binding, vk::DescriptorType type, const vk::DescriptorImageInfo& image) {
+        device_.updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = *set_,
+                                                            .dstBinding = static_cast<std::uint32_t>(binding),
+                                                            .descriptorCount = 1,
+                                                            .descriptorType = type,
+                                                            .pImageInfo = &image},
+                                     nullptr);
+    }
+
     void upload(const filled_texture& t) {
         picture& p = textures_[t.unit];
         const texture_image& image = t.image;
         if (p.what != image) {
             constexpr std::array formats{vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Uint,
-                                         vk::Format::eD32Sfloat, vk::Format::eD16Unorm};
+                                         vk::Format::eD32Sfloat, vk::Format::eD16Unorm, vk::Format::eR8G8B8A8Unorm};
             p = make_picture(formats[image.format], image,
                              vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst);
             const vk::Filter filter = image.linear ? vk::Filter::eLinear : vk::Filter::eNearest;
@@ -165,16 +211,8 @@ private:
                                                         .compareEnable = image.compare != texture_image::none,
                                                         .compareOp = operations[image.compare]}};
             const vk::DescriptorImageInfo sampled{*p.sampler, *p.view, vk::ImageLayout::eGeneral};
-            const auto write = [&](std::size_t binding, vk::DescriptorType type) {
-                device_.updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = *set_,
-                                                                    .dstBinding = static_cast<std::uint32_t>(binding),
-                                                                    .descriptorCount = 1,
-                                                                    .descriptorType = type,
-                                                                    .pImageInfo = &sampled},
-                                             nullptr);
-            };
-            write(t.unit, vk::DescriptorType::eCombinedImageSampler);
-            if (t.unit >= max_inputs) write(sampler_binding(t.unit), vk::DescriptorType::eSampler);
+            describe(t.unit, vk::DescriptorType::eCombinedImageSampler, sampled);
+            if (t.unit >= max_inputs) describe(sampler_binding(t.unit), vk::DescriptorType::eSampler, sampled);
         }
         const std::string bytes = t.bytes();
         reserve(staging_, bytes.size());
@@ -188,9 +226,10 @@ private:
         serial_ = j.serial;
     }
 
-    [[nodiscard]] std::vector<std::uint32_t> compile_fragment(dialect d, const std::string& source) const {
+    [[nodiscard]] std::vector<std::uint32_t> compile(dialect d, const std::string& source) const {
         if (d != dialect::wgsl)
-            return compiler_.compile("frag", source, d == dialect::hlsl ? spirv_compiler::hlsl : spirv_compiler::glsl);
+            return compiler_.compile(draws_ ? "frag" : "comp", source,
+                                     d == dialect::hlsl ? spirv_compiler::hlsl : spirv_compiler::glsl);
         const std::string module = naga_->answer(source);
         std::vector<std::uint32_t> code(module.size() / 4);
         std::memcpy(code.data(), module.data(), module.size());
@@ -201,43 +240,13 @@ private:
         return {device_, vk::ShaderModuleCreateInfo{.codeSize = code.size() * 4, .pCode = code.data()}};
     }
 
-    [[nodiscard]] vk::raii::Pipeline make_pipeline(const entry& e, dialect d, const vk::raii::RenderPass& pass) {
+    [[nodiscard]] vk::raii::Pipeline make_pipeline(const entry& e, dialect d, vk::RenderPass pass) {
+        const shader_stage of = draws_ ? shader_stage::fragment : shader_stage::compute;
+        const auto module = make_module(compile(d, make_shader(e, d, of).fragment));
+        if (!draws_) return make_computing(device_, *layout_, *module);
         if (!*vertex_)  // the same for all
             vertex_ = make_module(compiler_.compile("vert", make_shader(e, version::vulkan).vertex));
-        const auto fragment = make_module(compile_fragment(d, make_shader(e, d).fragment));
-        const std::array stages{vk::PipelineShaderStageCreateInfo{
-                                    .stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex_, .pName = "main"},
-                                vk::PipelineShaderStageCreateInfo{
-                                    .stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
-        const vk::VertexInputBindingDescription binding{0, sizeof(vec2), vk::VertexInputRate::eVertex};
-        const vk::VertexInputAttributeDescription attribute{0, 0, vk::Format::eR32G32Sfloat, 0};
-        const vk::PipelineVertexInputStateCreateInfo input{.vertexBindingDescriptionCount = 1,
-                                                           .pVertexBindingDescriptions = &binding,
-                                                           .vertexAttributeDescriptionCount = 1,
-                                                           .pVertexAttributeDescriptions = &attribute};
-        const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
-        const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
-        const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1.0f};
-        const vk::PipelineMultisampleStateCreateInfo samples{};
-        using write = vk::ColorComponentFlagBits;
-        const vk::PipelineColorBlendAttachmentState plain{.colorWriteMask =
-                                                              write::eR | write::eG | write::eB | write::eA};
-        const vk::PipelineColorBlendStateCreateInfo blend{.attachmentCount = 1, .pAttachments = &plain};
-        const std::array varying{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
-        const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = varying.size(),
-                                                         .pDynamicStates = varying.data()};
-        return {device_, nullptr,
-                vk::GraphicsPipelineCreateInfo{.stageCount = stages.size(),
-                                               .pStages = stages.data(),
-                                               .pVertexInputState = &input,
-                                               .pInputAssemblyState = &assembly,
-                                               .pViewportState = &viewport,
-                                               .pRasterizationState = &raster,
-                                               .pMultisampleState = &samples,
-                                               .pColorBlendState = &blend,
-                                               .pDynamicState = &dynamic,
-                                               .layout = *layout_,
-                                               .renderPass = *pass}};
+        return make_drawing(device_, *layout_, pass, *vertex_, *module);
     }
 
     spirv_compiler compiler_;
@@ -256,17 +265,13 @@ private:
     std::uint64_t serial_ = ~std::uint64_t(0);
 };
 
-std::unique_ptr<child> start_naga() {
-    return std::make_unique<child>(
-        std::vector<std::string>{UMBRAGE_NODE, UMBRAGE_SCRIPTS "/naga.js", UMBRAGE_NODE_MODULES});
-}
-
 }  // namespace
 
 backends vulkan_backends(std::string_view driver) {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     backends all;
     if (!spirv_compiler::is_here()) return all;
+    const std::vector<std::string> naga{UMBRAGE_NODE, UMBRAGE_SCRIPTS "/naga.js", UMBRAGE_NODE_MODULES};
     if (driver == "naga" && !all_exist({UMBRAGE_NODE, UMBRAGE_NODE_MODULES "/naga-wasm"})) return all;
     if (driver == "swiftshader_vulkan") {
         if (!all_exist({UMBRAGE_SWIFTSHADER})) return all;
@@ -274,11 +279,17 @@ backends vulkan_backends(std::string_view driver) {
     }
     try {
         static const vk::raii::Context context;  // devices need it and the instance to the end
-        static const vk::raii::Instance instance(context, vk::InstanceCreateInfo{});
+        const vk::ApplicationInfo application{.apiVersion = context.enumerateInstanceVersion()};
+        static const vk::raii::Instance instance(context, vk::InstanceCreateInfo{.pApplicationInfo = &application});
         for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance)) {
-            const bool software = device.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
-            if (software == (driver != "hardware"))
-                all.push_back(std::make_unique<vulkan>(std::move(device), driver == "naga" ? start_naga() : nullptr));
+            const vk::PhysicalDeviceProperties of = device.getProperties();
+            if ((of.deviceType == vk::PhysicalDeviceType::eCpu) != (driver != "hardware")) continue;
+            try {
+                all.push_back(std::make_unique<vulkan>(std::move(device), driver != "lavapipe_compute",
+                                                       driver == "naga" ? std::make_unique<child>(naga) : nullptr));
+            } catch (const std::exception& error) {  // others may do
+                std::cerr << of.deviceName.data() << " is left out: " << error.what() << '\n';
+            }
         }
     } catch (const std::exception&) {  // no loader, no driver, no device: nothing to run on
     }

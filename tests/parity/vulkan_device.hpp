@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -34,11 +35,14 @@ struct buffer {
 
 class vulkan_device {
 public:
-    explicit vulkan_device(vk::raii::PhysicalDevice physical)
+    /// @param draws   with a queue that draws, where the device has one; else one that computes
+    vulkan_device(vk::raii::PhysicalDevice physical, bool draws)
         : physical_(std::move(physical)),
+          draws_(draws && family_with(vk::QueueFlagBits::eGraphics)),
+          family_(family_with(draws_ ? vk::QueueFlagBits::eGraphics : vk::QueueFlagBits::eCompute).value()),
           device_(make_device()),
-          queue_(device_, family(), 0),
-          pool_(device_, {.flags = vk::CommandPoolCreateFlagBits::eResetCommandBuffer, .queueFamilyIndex = family()}),
+          queue_(device_, family_, 0),
+          pool_(device_, {.flags = vk::CommandPoolCreateFlagBits::eResetCommandBuffer, .queueFamilyIndex = family_}),
           commands_(
               std::move(vk::raii::CommandBuffers(device_, {.commandPool = *pool_, .commandBufferCount = 1}).front())) {}
 
@@ -75,6 +79,8 @@ protected:
         queue_.submit(vk::SubmitInfo{.commandBufferCount = 1, .pCommandBuffers = &*commands_});
         queue_.waitIdle();
     }
+
+    [[nodiscard]] bool has_graphics() const { return has(family_, vk::QueueFlagBits::eGraphics); }
 
     static vk::ImageAspectFlagBits aspect(const texture_image& what) {
         return what.has_depths() ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
@@ -119,23 +125,28 @@ protected:
     }
 
     vk::raii::PhysicalDevice physical_;
+    bool draws_;
+    std::uint32_t family_;
     vk::raii::Device device_;
     vk::raii::Queue queue_;
     vk::raii::CommandPool pool_;
     vk::raii::CommandBuffer commands_;
 
 private:
-    [[nodiscard]] std::uint32_t family() const {
-        const auto all = physical_.getQueueFamilyProperties();
-        for (std::uint32_t i = 0; i < all.size(); ++i)
-            if (all[i].queueFlags & vk::QueueFlagBits::eGraphics) return i;
-        throw std::runtime_error("this Vulkan device cannot draw");
+    [[nodiscard]] bool has(std::uint32_t family, vk::QueueFlagBits ability) const {
+        return bool(physical_.getQueueFamilyProperties()[family].queueFlags & ability);
+    }
+    [[nodiscard]] std::optional<std::uint32_t> family_with(vk::QueueFlagBits ability) const {
+        const std::size_t count = physical_.getQueueFamilyProperties().size();
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (has(i, ability)) return i;
+        return {};
     }
 
     [[nodiscard]] vk::raii::Device make_device() const {
         const float priority = 1.0f;
         const vk::DeviceQueueCreateInfo queue{
-            .queueFamilyIndex = family(), .queueCount = 1, .pQueuePriorities = &priority};
+            .queueFamilyIndex = family_, .queueCount = 1, .pQueuePriorities = &priority};
         return {physical_, vk::DeviceCreateInfo{.queueCreateInfoCount = 1, .pQueueCreateInfos = &queue}};
     }
 

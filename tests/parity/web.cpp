@@ -17,6 +17,7 @@ public:
     [[nodiscard]] std::string name() const override {
         return name_.find("SwiftShader") == std::string::npos ? "WebGL on " + name_ : "SwiftShader (" + name_ + ")";
     }
+    [[nodiscard]] identity about(dialect) const override { return {.api = "WebGL", .device = name_}; }
     [[nodiscard]] std::vector<dialect> dialects() const override { return {version::v100, version::v300_es}; }
     [[nodiscard]] std::string label(dialect d) const override { return "WebGL " + number(d); }
 
@@ -31,6 +32,7 @@ public:
     }
 
     [[nodiscard]] std::string name() const override { return name_; }
+    [[nodiscard]] identity about(dialect) const override { return {.api = "WebGPU", .device = name_}; }
     [[nodiscard]] std::vector<dialect> dialects() const override { return {dialect::wgsl}; }
 
 private:

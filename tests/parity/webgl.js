@@ -52,8 +52,10 @@ async function draw() {
         const [internal, format, type] = c.version === 1 ? [gl.RGBA, gl.RGBA, gl.FLOAT] : [
             [gl.RGBA32F, gl.RGBA, gl.FLOAT], [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT],
             [gl.DEPTH_COMPONENT32F, gl.DEPTH_COMPONENT, gl.FLOAT],
-            [gl.DEPTH_COMPONENT16, gl.DEPTH_COMPONENT, gl.UNSIGNED_SHORT]][t.format];
-        const arrays = { [gl.FLOAT]: Float32Array, [gl.UNSIGNED_INT]: Uint32Array, [gl.UNSIGNED_SHORT]: Uint16Array };
+            [gl.DEPTH_COMPONENT16, gl.DEPTH_COMPONENT, gl.UNSIGNED_SHORT],
+            [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE]][t.format];
+        const arrays = { [gl.FLOAT]: Float32Array, [gl.UNSIGNED_INT]: Uint32Array, [gl.UNSIGNED_SHORT]: Uint16Array,
+            [gl.UNSIGNED_BYTE]: Uint8Array };
         const pixels = new arrays[type](t.bytes);
         if (target === gl.TEXTURE_2D_ARRAY) {
             gl.texImage3D(target, 0, internal, width, height, t.layers, 0, format, type, pixels);

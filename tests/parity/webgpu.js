@@ -23,6 +23,7 @@ const formats = [
     { format: 'rgba32uint', bytes: 16, sampleType: 'uint' },
     { format: 'depth32float', bytes: 4, sampleType: 'depth' },
     { format: 'depth16unorm', bytes: 2, sampleType: 'depth' },
+    { format: 'rgba8unorm', bytes: 4, sampleType: 'float' },
 ];
 const shapes = ['2d', '2d-array', 'cube'], comparisons = [undefined, 'less-equal', 'greater-equal'];
 
