@@ -27,6 +27,8 @@ let different = 0;
 for (const line of readFileSync(expected, 'utf8').trimEnd().split('\n')) {
     const test = JSON.parse(line), kind = test.language ?? 'versions', text = made(test);
     counts[kind] = (counts[kind] ?? 0) + 1;
+    const tier = text !== null && test.exactness ? umbrage.exactness(test.items.map(item)) : test.exactness;
+    if (tier !== test.exactness) console.log(`tier ${tier}, in C++ ${test.exactness}: ${JSON.stringify(test.items)}`), ++different;
     if (text === test.text) continue;
     if (++different > 3) continue;
     console.log(`differs: ${line.slice(0, 400)}`);

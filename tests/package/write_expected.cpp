@@ -65,20 +65,22 @@ std::vector<glsl::binding> maps() {
     return all;
 }
 
-/// What text() gives, or that it throws.
+/// What text() gives and how exact it is, or that it throws.
 void add(std::ostream& out, const shader_language& l, const std::vector<bound>& items) {
-    std::string text;
+    std::string text = "null", exactness = "null";
     try {
         text = literal(l.text(items));
-    } catch (const std::invalid_argument&) { text = "null"; }
-    out << "{\"language\":" << literal(l.name) << ",\"items\":" << json(items) << ",\"text\":" << text << "}\n";
+        exactness = literal(std::string_view("abc").substr(static_cast<std::size_t>(glsl::exactness(items)), 1));
+    } catch (const std::invalid_argument&) {}
+    out << "{\"language\":" << literal(l.name) << ",\"items\":" << json(items) << ",\"exactness\":" << exactness
+        << ",\"text\":" << text << "}\n";
 }
 
 void write(std::ostream& out) {
     for (const shader_language& l : languages) {
         for (const snippet* s : glsl::registry()) add(out, l, {*s});
         for (const glsl::binding& map : maps())
-            for (const snippet& s : {glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_dx_sdk})
+            for (const snippet& s : {glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_dx_sdk, glsl::lit_at})
                 add(out, l, {bind(s, "sun", map)});
         const auto reversed = umbrage::depth_direction::reversed;  // four maps of four kinds in one shader
         add(out, l,

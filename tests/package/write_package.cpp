@@ -72,8 +72,9 @@ std::string_view role(glsl::hook h) {
 }
 
 std::string row(const snippet& s) {
+    const glsl::tier exactness = is_variant(s) ? s.exactness : glsl::exactness({s});
     return "    [" + literal(id(s)) + ", " + literal(s.name) + ", " + literal(s.summary) + ", \"" +
-           "abc"[static_cast<int>(s.exactness)] + "\", " + std::to_string(s.ulp) + ", " +
+           "abc"[static_cast<int>(exactness)] + "\", " + std::to_string(s.ulp) + ", " +
            (s.within > 0.0f ? "1 / " + std::to_string(static_cast<int>(1.0f / s.within)) : "0") + ", " +
            literal(directive(s.lowest)) + ", " + literal(role(s.role)) + ", " + (s.scaled ? "true" : "false") + ", " +
            list(s.needs) + "],\n";

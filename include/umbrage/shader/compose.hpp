@@ -211,33 +211,55 @@ public:
         if (language_.macros && !one.needs.empty()) text_ += language_.scaled_macro;
     }
 
-    /// What belongs to no map comes first: hooks may call it, whatever the order of the items.
     [[nodiscard]] std::string text() && {
-        for (const bool of_map : {false, true})
-            for (const bound& item : items_) {
-                for (const snippet& need : item.map.needs) add(need, item, of_map);
-                for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map);
-                add(item.what, item, of_map);
-            }
+        for_each([&](const snippet& s, const bound& item, const std::string& guard) {
+            const bool of_map = is_of_map(s);
+            const std::string body = language_.translate(s);
+            if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
+            text_ += of_map && !keeps_macros(item)
+                         ? laid_out(for_map(body, s, item, language_.texture(item.map.texture)))
+                         : body;
+            if (language_.preprocessor) text_ += "#endif\n";
+        });
         return std::move(text_);
     }
 
+    /// The worst tier of what the text holds.
+    [[nodiscard]] tier exactness() && {
+        tier worst = tier::a;
+        for_each([&](const snippet& s, const bound&, const std::string&) {
+            if (worst < s.exactness) worst = s.exactness;
+        });
+        return worst;
+    }
+
 private:
-    void add(const snippet& asked, const bound& item, bool of_map) {
-        const bool by_macros = language_.macros && item.by_macros;
-        const snippet& s = by_macros ? asked : chosen(asked, item.map);
-        for (const snippet* need : s.needs) add(*need, item, of_map);
+    /// Calls use(snippet, item, guard) for each part of the text, in order. What belongs to no map comes first: hooks
+    /// may call it, whatever the order of the items.
+    template <class Part>
+    void for_each(const Part& use) {
+        for (const bool of_map : {false, true})
+            for (const bound& item : items_) {
+                for (const snippet& need : item.map.needs) add(need, item, of_map, use);
+                for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
+                add(item.what, item, of_map, use);
+            }
+    }
+
+    template <class Part>
+    void add(const snippet& asked, const bound& item, bool of_map, const Part& use) {
+        const snippet& s = keeps_macros(item) ? asked : chosen(asked, item.map);
+        for (const snippet* need : s.needs) add(*need, item, of_map, use);
         if (is_of_map(s) != of_map) return;
         std::string guard = "UMBRAGE_HAS_" + std::string(s.name) + (of_map ? item.suffix : std::string());
         for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
         for (const std::string& done : done_)
             if (done == guard) return;
-        const std::string body = language_.translate(s);
-        if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-        text_ += of_map && !by_macros ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
-        if (language_.preprocessor) text_ += "#endif\n";
+        use(s, item, guard);
         done_.push_back(std::move(guard));
     }
+
+    [[nodiscard]] bool keeps_macros(const bound& item) const { return language_.macros && item.by_macros; }
 
     const language& language_;
     std::vector<bound> items_;

@@ -156,6 +156,18 @@ template <class Use = umbrage::detail::on_use>
     return detail::compose<Use>(detail::glsl_language<Use>, items);
 }
 
+/// The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
+/// binding says in the shader's own language has no tier.
+/// @throws std::invalid_argument   as text
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] tier exactness(std::span<const bound> items) {
+    return detail::composition<Use>(detail::glsl_language<Use>, {items.begin(), items.end()}).exactness();
+}
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] tier exactness(std::initializer_list<bound> items) {
+    return detail::composition<Use>(detail::glsl_language<Use>, items).exactness();
+}
+
 namespace detail {
 
 template <class Use = umbrage::detail::on_use>

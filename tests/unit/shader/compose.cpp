@@ -11,9 +11,11 @@
 
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/rg_level.hpp>
+#include <umbrage/depth/kinds.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
+#include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shader/glsl.hpp>
 
 using namespace umbrage;
@@ -101,6 +103,19 @@ TEST_CASE("regions: the origin is added where the texture is read, and nowhere e
     CHECK(function(atlas, "umbrage_texel_a").find("texel + origin;") != std::string::npos);
     const std::string whole = glsl::text({bind(glsl::hard, "a", {})});
     CHECK(function(whole, "umbrage_texel_a").find(" at ") == std::string::npos);
+}
+
+TEST_CASE("exactness: the worst tier of a text, its maps' hooks included") {
+    CHECK(exactness({}) == tier::a);
+    CHECK(exactness({bind(glsl::hard, "a", packed), glsl::hard}) == tier::a);
+    CHECK(exactness({glsl::hard, glsl::shadow_coordinate}) == tier::b);
+    CHECK(exactness({bind(glsl::hard, "a", packed), glsl::view_z_from_depth, glsl::hard}) == tier::c);
+    CHECK(exactness({bind(glsl::hard, "a", stored_as(threejs_rgba{}))}) == tier::b);   // decoded by a snippet of tier B
+    CHECK(exactness({bind(glsl::hard, "a", {.texture = texture::cube})}) == tier::b);  // found by one
+    CHECK(exactness({bind(glsl::hard, "a", {.texture = texture::shadow})}) == tier::a);
+    CHECK(exactness({bind(glsl::lit_at, "a", {.texture = texture::shadow})}) == tier::c);  // the sampler's own weights
+    CHECK_THROWS_AS((void)exactness({bind(glsl::hard, "a", layered), bind(glsl::box, "a", packed)}),
+                    std::invalid_argument);
 }
 
 TEST_CASE("what a map cannot have is refused") {
