@@ -62,13 +62,27 @@ std::vector<glsl::binding> maps() {
     all.push_back({.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}});
     all.push_back({.gather = true, .origin = "tile", .texture_size = "atlas_size"});
     all.push_back({.parameters = "int layer", .arguments = "layer", .texel = "fetch(maps, at, layer)"});
+    all.push_back(
+        {.parameters = "maps: array<texture_2d<f32>, 4>, map: i32", .arguments = "maps, map", .texel = "f(at)"});
+    for (const char* own :
+         {"int size", "int layer, int map", "map[4]", "a // b", "f(a", " ", "a; b", "metal::depth map"})
+        for (const bool both : {false, true})
+            all.push_back({.origin = both ? own : "", .parameters = own, .arguments = both ? own : ""});
+    for (const named_texture& t : textures)
+        for (const int channels : {0, 2, 3, 5})
+            for (const bool gather : {false, true})
+                all.push_back({.texture = t.kind, .gather = gather, .depth = "f(value)", .channels = channels});
+    all.push_back({.texture = glsl::texture::shadow, .depth = "value.x"});
+    all.push_back({.needs = {glsl::hard}});
     return all;
 }
 
-/// What text() gives and how exact it is, or that it throws.
+/// What text() gives and how exact it is, or that it or bind() throws.
 void add(std::ostream& out, const shader_language& l, const std::vector<bound>& items) {
     std::string text = "null", exactness = "null";
     try {
+        for (const bound& item : items)
+            if (!item.by_macros) (void)bind(item.what, item.suffix.substr(item.suffix.empty() ? 0 : 1), item.map);
         text = literal(l.text(items));
         exactness = literal(std::string_view("abc").substr(static_cast<std::size_t>(glsl::exactness(items)), 1));
     } catch (const std::invalid_argument&) {}
@@ -81,7 +95,7 @@ void write(std::ostream& out) {
         for (const snippet* s : glsl::registry()) add(out, l, {*s});
         for (const glsl::binding& map : maps())
             for (const snippet& s : {glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_dx_sdk, glsl::lit_at})
-                add(out, l, {bind(s, "sun", map)});
+                add(out, l, {bound(s, "sun", map)});
         const auto reversed = umbrage::depth_direction::reversed;  // four maps of four kinds in one shader
         add(out, l,
             {bind(glsl::pcf_2x2, "spot", glsl::stored_as(umbrage::rg<11>{})),
@@ -96,6 +110,10 @@ void write(std::ostream& out) {
             {bind(glsl::hard, "a", {}), glsl::level_rg<11>, glsl::pcf_2x2,
              bind(glsl::box, "b", {.texture = glsl::texture::cube})});
         add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "a", {.outside_lit = true})});
+        add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "A", {})});
+        add(out, l, {bind(glsl::hard, "", {}), glsl::box});
+        add(out, l, {glsl::box, bind(glsl::hard, "", {})});
+        add(out, l, {bind(glsl::hard, "rg11", glsl::stored_as(umbrage::rg<11>{}))});
     }
     for (const glsl::version v : glsl::versions)
         for (const snippet* s : glsl::registry()) {
