@@ -113,7 +113,6 @@ std::string languages_of_module() {
         out += "        prelude: " + literal(l.words->prelude) + ",\n";
         out += std::string("        preprocessor: ") + (l.words->preprocessor ? "true" : "false") + ",\n";
         out += std::string("        macros: ") + (l.words->macros ? "true" : "false") + ",\n";
-        out += "        scaled_macro: " + literal(l.words->scaled_macro) + ",\n";
         out += "        textures: {\n";
         for (const named_texture& t : textures)
             out += "            " + std::string(t.name) + ": " + words(l.words->texture(t.kind)) + ",\n";
@@ -164,7 +163,8 @@ std::string module_data() {
 
 std::string module_names() {
     std::string out;
-    for (const shader_language& l : languages) out += "export const " + std::string(l.name) + ": Language;\n";
+    for (const shader_language& l : languages)
+        out += "export const " + std::string(l.name) + (l.words->macros ? ": VersionedLanguage;\n" : ": Language;\n");
     for (const snippet* s : glsl::registry())
         out += "/** " + std::string(s->summary) + " */\nexport const " + std::string(s->name) + ": Snippet;\n";
     return out;

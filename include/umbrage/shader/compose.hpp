@@ -24,7 +24,6 @@ struct language {
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
-    literal scaled_macro{};                      ///< for those of depths on a scale of their own
 };
 
 /// One text in the making.
@@ -43,7 +42,6 @@ public:
                     umbrage::detail::fail("umbrage::glsl::text: name must be another for each map; got \"" +
                                           item.suffix.substr(item.suffix.empty() ? 0 : 1) + "\" for two");
         }
-        if (language_.macros && !one.needs.empty()) text_ += language_.scaled_macro;
     }
 
     [[nodiscard]] std::string text() && {
@@ -80,6 +78,10 @@ private:
     void for_each(const Part& use) {
         for (const bool of_map : {false, true})
             for (const bound& item : items_) {
+                // No far plane for the shader's one map: a function, as a macro in two places confuses preprocessors of
+                // engines; and always, so that a file with such depths changes those that are pasted behind it.
+                if (of_map && keeps_macros(item) && &chosen(beyond_far, item.map) == &hooks::scaled_beyond_far)
+                    add(hooks::scaled_beyond_far, item, of_map, use);
                 for (const snippet& need : item.map.needs) add(need, item, of_map, use);
                 for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
                 add(item.what, item, of_map, use);

@@ -103,11 +103,13 @@ TEST_CASE("a map of depths on a scale of their own has no far plane") {
     binding levels{.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}};
     CHECK(function(glsl::text({bind(glsl::hard, "a", levels)}), "umbrage_beyond_far_a").find("return false;") !=
           std::string::npos);
-    const std::string_view macro = "#define UMBRAGE_BEYOND_FAR(receiver) false\n";
     for (const std::string& text :
-         {glsl::text({glsl::hard, glsl::level_rg<11>}), glsl::text({glsl::level_rg<11>, glsl::hard})})
-        CHECK(text.find(macro) < text.find("bool umbrage_beyond_far("));
-    CHECK(glsl::text({glsl::hard, glsl::decode_rg<11>}).find(macro) == std::string::npos);
+         {glsl::text({glsl::hard, glsl::level_rg<11>}), glsl::text({glsl::level_rg<11>, glsl::hard}),
+          glsl::text({glsl::level_rg<11>})}) {  // to be pasted in front of filters
+        CHECK(function(text, "umbrage_beyond_far").find("return false;") != std::string::npos);
+        CHECK(text.find("UMBRAGE_BEYOND_FAR(") == std::string::npos);
+    }
+    CHECK(glsl::text({glsl::hard, glsl::decode_rg<11>}).find("#ifndef UMBRAGE_BEYOND_FAR\n") != std::string::npos);
 }
 
 TEST_CASE("regions: the origin is added where the texture is read, and nowhere else") {
