@@ -90,7 +90,24 @@ void add(std::ostream& out, const shader_language& l, const std::vector<bound>& 
         << ",\"text\":" << text << "}\n";
 }
 
+/// What the package's encodings must hold: a filter's text, what an empty map holds, what writes a texel.
+void add_encoding(std::ostream& out, const auto& encoding, bool reversed) {
+    using type = std::decay_t<decltype(encoding)>;
+    std::string cleared;
+    for (const std::string& channel : cleared_channels(encoding))
+        cleared += (cleared.empty() ? "" : ",") + literal(channel);
+    out << "{\"encoding\":" << literal(type::name) << ",\"reversed\":" << (reversed ? "true" : "false")
+        << ",\"write\":" << literal(type::writer->name) << ",\"writes\":" << literal(writes(encoding))
+        << ",\"cleared\":[" << cleared
+        << "],\"text\":" << literal(glsl::text({bind(glsl::hard, "a", glsl::stored_as(encoding))})) << "}\n";
+}
+
 void write(std::ostream& out) {
+    umbrage::for_each_encoding([&](auto encoding) {
+        add_encoding(out, encoding, false);
+        encoding = {.direction = umbrage::depth_direction::reversed};
+        add_encoding(out, encoding, true);
+    });
     for (const shader_language& l : languages) {
         for (const snippet* s : glsl::registry()) add(out, l, {*s});
         for (const glsl::binding& map : maps())

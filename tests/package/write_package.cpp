@@ -4,6 +4,7 @@
 //
 // FOLDER/shaders/LANGUAGE/NAME.EXTENSION   every snippet with all it needs, to paste
 // FOLDER/umbrage.mjs, umbrage.d.mts        the npm package's module: TEMPLATES/umbrage.mjs.in and the texts
+// FOLDER/umbrage.cjs, umbrage.d.cts        the same for Node's require
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -128,16 +129,33 @@ std::string languages_of_module() {
     return out + "};\n";
 }
 
+std::string encoding_of_module(const auto& encoding) {
+    using type = std::decay_t<decltype(encoding)>;
+    const glsl::binding map = glsl::stored_as(encoding);
+    std::string cleared;
+    for (const std::string& channel : cleared_channels(encoding)) cleared += (cleared.empty() ? "" : ", ") + channel;
+    return "{ direction: " + literal(map.direction == umbrage::depth_direction::forward ? "forward" : "reversed") +
+           ", depth: " + literal(map.depth) + ", channels: " + std::to_string(map.channels) + ", needs: [" +
+           (map.needs.empty() ? "" : "snippets." + std::string(map.needs.front().name)) +
+           "],\n        write: snippets." + std::string(type::writer->name) + ", writes: " + literal(writes(encoding)) +
+           ", cleared: [" + cleared + "]";
+}
+
 std::string encodings_of_module() {
     std::string out = "export const encodings = {\n";
-    umbrage::for_each_encoding([&](const auto& encoding) {
-        const glsl::binding map = glsl::stored_as(encoding);
-        if (map.needs.empty()) return;
-        const std::string name(map.needs.front().name);
-        out += "    " + name.substr(std::string("decode_").size()) + ": { depth: " + literal(map.depth) +
-               ", channels: " + std::to_string(map.channels) + ", needs: [snippets." + name + "] },\n";
+    umbrage::for_each_encoding([&](auto encoding) {
+        out += "    " + std::string(encoding.name) + ": " + encoding_of_module(encoding);
+        encoding = {.direction = umbrage::depth_direction::reversed};
+        out += ",\n        reversed: " + encoding_of_module(encoding) + " } },\n";
     });
     return out + "};\n";
+}
+
+std::string names_of_encodings() {
+    std::string out;
+    umbrage::for_each_encoding(
+        [&](const auto& e) { out += (out.empty() ? "'" : " | '") + std::string(e.name) + '\''; });
+    return out;
 }
 
 std::string module_data() {
@@ -159,6 +177,21 @@ std::string module_data() {
            "s]));\n"
            "const hooks = part(true);\nexport const snippets = part(false);\n" +
            encodings_of_module() + exported + "export const { " + names + " } = snippets;";
+}
+
+/// The module as Node's require takes it: exports at the end.
+std::string as_commonjs(std::string text) {
+    std::string names;
+    const std::string_view keyword = "\nexport ";
+    for (auto at = text.find(keyword); at != text.npos; at = text.find(keyword, at)) {
+        text.erase(at + 1, keyword.size() - 1);
+        const auto name = text.find(' ', at) + 1;
+        const bool several = text[name] == '{';
+        const auto end = text.find_first_of(several ? "}" : " (", name);
+        names += (names.empty() ? "" : ", ") +
+                 (several ? text.substr(name + 2, end - name - 3) : text.substr(name, end - name));
+    }
+    return text + "\nmodule.exports = { " + names + " };\n";
 }
 
 std::string module_names() {
@@ -219,12 +252,16 @@ int main(int argc, char** argv) {
     try {
         const std::filesystem::path templates = argv[1], folder = argv[2];
         package::write_shaders(folder / "shaders");
-        package::write(folder / "umbrage.mjs",
-                       package::filled(templates / "umbrage.mjs.in",
-                                       {{"@version@", package::version}, {"@data@", package::module_data()}}));
-        package::write(folder / "umbrage.d.mts",
-                       package::filled(templates / "umbrage.d.mts.in",
-                                       {{"@version@", package::version}, {"@names@", package::module_names()}}));
+        const std::string module = package::filled(
+            templates / "umbrage.mjs.in", {{"@version@", package::version}, {"@data@", package::module_data()}});
+        const std::string types =
+            package::filled(templates / "umbrage.d.mts.in", {{"@version@", package::version},
+                                                             {"@encodings@", package::names_of_encodings()},
+                                                             {"@names@", package::module_names()}});
+        package::write(folder / "umbrage.mjs", module);
+        package::write(folder / "umbrage.cjs", package::as_commonjs(module));
+        package::write(folder / "umbrage.d.mts", types);
+        package::write(folder / "umbrage.d.cts", types);
     } catch (const std::exception& error) {
         std::cerr << "write_package: " << error.what() << '\n';
         return 1;
