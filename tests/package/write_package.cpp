@@ -2,7 +2,7 @@
 //
 // Writes what needs no build:  write_package TEMPLATES FOLDER
 //
-// FOLDER/shaders/LANGUAGE/NAME.EXTENSION   every snippet with all it needs, to paste
+// FOLDER/shaders                           files to paste: see paste.hpp
 // FOLDER/umbrage.mjs, umbrage.d.mts        the npm package's module: TEMPLATES/umbrage.mjs.in and the texts
 // FOLDER/umbrage.cjs, umbrage.d.cts        the same for Node's require
 #include <algorithm>
@@ -13,22 +13,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "languages.hpp"
+#include "paste.hpp"
 
 namespace package {
 namespace {
 
 namespace fs = std::filesystem;
 using glsl::snippet;
-
-const std::string version = std::to_string(UMBRAGE_VERSION_MAJOR) + '.' + std::to_string(UMBRAGE_VERSION_MINOR) + '.' +
-                            std::to_string(UMBRAGE_VERSION_PATCH);
-
-void write(const fs::path& path, const std::string& text) {
-    fs::create_directories(path.parent_path());
-    std::ofstream file(path, std::ios::binary);
-    if (!(file << text)) throw std::runtime_error("cannot write " + path.string());
-}
 
 /// FOLDER/NAME.in with each @key@ replaced.
 std::string filled(const fs::path& path, std::initializer_list<std::pair<std::string_view, std::string>> values) {
@@ -203,47 +194,6 @@ std::string module_names() {
     return out;
 }
 
-/// A snippet, as the shader's one map has it, behind all it needs.
-void collect(const snippet& asked, std::vector<const snippet*>& all) {
-    const snippet& s = glsl::detail::chosen(asked, {});
-    for (const snippet* need : s.needs) collect(*need, all);
-    if (std::find(all.begin(), all.end(), &s) == all.end()) all.push_back(&s);
-}
-
-/// Where nothing keeps two pasted texts from clashing, a file is one function, and names the others.
-std::string one_function(const shader_language& l, const std::vector<const snippet*>& needs_and_it) {
-    const snippet& s = *needs_and_it.back();
-    std::string text = "// umbrage " + version + ", MIT License: " + std::string(s.name) + '\n';
-    for (const snippet* need : needs_and_it)
-        if (need != &s)
-            text += (need == needs_and_it.front() ? "// Paste along: " : ", ") + std::string(need->name) +
-                    std::string(l.extension);
-    if (needs_and_it.size() > 1) text += '\n';
-    return text + glsl::detail::laid_out(
-                      glsl::detail::for_map(l.words->translate(s), s, s, l.words->texture(glsl::texture::texture_2d)));
-}
-
-void write_shaders(const fs::path& folder) {
-    for (const shader_language& l : languages)
-        for (const snippet* s : glsl::registry()) {
-            const auto file = [&](const snippet& of) {
-                return folder / l.folder / (std::string(of.name) + std::string(l.extension));
-            };
-            if (l.words->preprocessor) {
-                const glsl::bound item(*s);
-                write(file(*s), l.text({&item, 1}));
-                continue;
-            }
-            std::vector<const snippet*> all;
-            collect(*s, all);
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                std::vector<const snippet*> part;
-                collect(*all[i], part);
-                write(file(*all[i]), one_function(l, part));
-            }
-        }
-}
-
 }  // namespace
 }  // namespace package
 
@@ -251,7 +201,7 @@ int main(int argc, char** argv) {
     if (argc != 3) return 2;
     try {
         const std::filesystem::path templates = argv[1], folder = argv[2];
-        package::write_shaders(folder / "shaders");
+        package::write_shaders(folder / "shaders", package::copyright(templates / "../../LICENSE"));
         const std::string module = package::filled(
             templates / "umbrage.mjs.in", {{"@version@", package::version}, {"@data@", package::module_data()}});
         const std::string types =
