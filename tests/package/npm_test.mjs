@@ -78,13 +78,21 @@ const check = (what, good) => {
 try {
     const version = /define UMBRAGE_VERSION_MAJOR (\d+)[^]*MINOR (\d+)[^]*PATCH (\d+)/
         .exec(readFileSync(join(root, 'include/umbrage/version.hpp'), 'utf8')).slice(1).join('.');
-    const wanted = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8')).version;
-    check(`package.json is of version ${version}`, wanted === version);
+    const wanted = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+    check(`package.json is of version ${version}`, wanted.version === version);
     const run = (...command) => execFileSync(command[0], command.slice(1), { cwd: folder, encoding: 'utf8' });
     run(npm, 'pack', root, '--silent');
     const tarball = `umbrage-${version}.tgz`, size = statSync(join(folder, tarball)).size;
-    check(`${tarball} has ${size} bytes, at most 500000`, size <= 500000);
+    check(`${tarball} has ${size} bytes, at most 750000`, size <= 750000);
     run(npm, 'install', `./${tarball}`, '--silent', '--offline', '--no-audit', '--no-fund');
+    const installed = join(folder, 'node_modules/umbrage'), { main, types, exports } = wanted;
+    for (const path of [main, types, ...Object.values(exports['.']).flatMap(Object.values)])
+        check(`${path} is in it`, existsSync(join(installed, path)));
+    for (const page of ['README.md', 'GUIDE.md', 'MUSEUM.md', 'CONTRIBUTING.md']) {
+        const code = /^```[^]*?^```/gm, link = /\]\((?!https?:|#)([^)#]+)/g;
+        for (const [, to] of readFileSync(join(root, page), 'utf8').replace(code, '').matchAll(link))
+            check(`${page} links ${to}, which is in it`, existsSync(join(installed, to)));
+    }
     writeFileSync(join(folder, 'shader.mjs'), program);
     writeFileSync(join(folder, 'shader.cjs'), required);
     const fragment = run(process.execPath, 'shader.mjs');
