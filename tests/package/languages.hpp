@@ -47,6 +47,28 @@ inline constexpr std::array textures{
     named_texture{"depth", glsl::texture::depth},           named_texture{"depth_array", glsl::texture::depth_array},
     named_texture{"shadow", glsl::texture::shadow},         named_texture{"shadow_array", glsl::texture::shadow_array}};
 
+/// What a cleared map's channels are to a colour attachment, four of them; of bytes as "k / 255".
+template <umbrage::known_encoding Encoding>
+[[nodiscard]] std::array<std::string, 4> cleared_channels(const Encoding& encoding) {
+    std::array<std::string, 4> channels{"0", "0", "0", "0"};
+    if constexpr (Encoding::writes == umbrage::written::depth) channels[0] = encoding.cleared() > 0.5f ? "1" : "0";
+    else
+        for (int c = 0; c < Encoding::texel::length(); ++c)
+            channels[c] = std::to_string(encoding.cleared()[c]) + " / 255";
+    return channels;
+}
+
+/// What an encoding's writer returns.
+template <umbrage::known_encoding Encoding>
+[[nodiscard]] constexpr std::string_view writes(const Encoding&) {
+    switch (Encoding::writes) {
+        case umbrage::written::depth: return "depth";
+        case umbrage::written::bytes: return "bytes";
+        case umbrage::written::values: return "values";
+    }
+    return "";
+}
+
 /// A string of JavaScript and of JSON.
 [[nodiscard]] inline std::string literal(std::string_view text) {
     std::string out = "\"";

@@ -28,6 +28,12 @@ void main() {
 }\`);
 `;
 
+// The same by require, which is for modules of older kind.
+const required = `
+const { bind, encodings, hard, source } = require('umbrage');
+if (!source('300 es', [bind(hard, 'sun', encodings.rg11)]).includes('umbrage_hard_sun')) process.exit(1);
+`;
+
 // In the page: 8 x 8 pixels over the 4 x 4 map, their first two channels.
 function draw(fragment) {
     const gl = document.createElement('canvas').getContext('webgl2');
@@ -72,15 +78,25 @@ const check = (what, good) => {
 try {
     const version = /define UMBRAGE_VERSION_MAJOR (\d+)[^]*MINOR (\d+)[^]*PATCH (\d+)/
         .exec(readFileSync(join(root, 'include/umbrage/version.hpp'), 'utf8')).slice(1).join('.');
-    const wanted = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8')).version;
-    check(`package.json is of version ${version}`, wanted === version);
+    const wanted = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+    check(`package.json is of version ${version}`, wanted.version === version);
     const run = (...command) => execFileSync(command[0], command.slice(1), { cwd: folder, encoding: 'utf8' });
     run(npm, 'pack', root, '--silent');
     const tarball = `umbrage-${version}.tgz`, size = statSync(join(folder, tarball)).size;
-    check(`${tarball} has ${size} bytes, at most 400000`, size <= 400000);
+    check(`${tarball} has ${size} bytes, at most 750000`, size <= 750000);
     run(npm, 'install', `./${tarball}`, '--silent', '--offline', '--no-audit', '--no-fund');
+    const installed = join(folder, 'node_modules/umbrage'), { main, types, exports } = wanted;
+    for (const path of [main, types, ...Object.values(exports['.']).flatMap(Object.values)])
+        check(`${path} is in it`, existsSync(join(installed, path)));
+    for (const page of ['README.md', 'GUIDE.md', 'MUSEUM.md', 'CONTRIBUTING.md']) {
+        const code = /^```[^]*?^```/gm, link = /\]\((?!https?:|#)([^)#]+)/g;
+        for (const [, to] of readFileSync(join(root, page), 'utf8').replace(code, '').matchAll(link))
+            check(`${page} links ${to}, which is in it`, existsSync(join(installed, to)));
+    }
     writeFileSync(join(folder, 'shader.mjs'), program);
+    writeFileSync(join(folder, 'shader.cjs'), required);
     const fragment = run(process.execPath, 'shader.mjs');
+    run(process.execPath, 'shader.cjs');
 
     const { chromium } = createRequire(join(node_modules, 'x.js'))('playwright-core');
     const browser = await chromium.launch({

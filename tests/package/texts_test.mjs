@@ -7,14 +7,17 @@ import { pathToFileURL } from 'node:url';
 
 const [module_path, expected] = process.argv.slice(2);
 const umbrage = await import(pathToFileURL(resolve(module_path)).href);
-const { snippets, bind, source } = umbrage;
+const { snippets, bind, encodings, source } = umbrage;
 
 const item = ({ what, name, map }) => map
     ? bind(snippets[what], name, { ...map, needs: map.needs.map(need => snippets[need]) })
     : snippets[what];
 
-function made({ language, version, items }) {
+const encoding_of = (name, reversed) => reversed ? encodings[name].reversed : encodings[name];
+
+function made({ language, version, items, encoding, reversed }) {
     try {
+        if (encoding) return umbrage.glsl.text([bind(snippets.hard, 'a', encoding_of(encoding, reversed))]);
         return version ? source(version, items.map(item), '#define A') : umbrage[language].text(items.map(item));
     } catch (error) {
         if (!error.message.startsWith('umbrage: ')) throw error;
@@ -22,11 +25,20 @@ function made({ language, version, items }) {
     }
 }
 
-const counts = {};
+const counts = {}, names = new Set(Object.keys(encodings));
 let different = 0;
 for (const line of readFileSync(expected, 'utf8').trimEnd().split('\n')) {
-    const test = JSON.parse(line), kind = test.language ?? 'versions', text = made(test);
+    const test = JSON.parse(line), kind = test.language ?? (test.encoding ? 'encodings' : 'versions'), text = made(test);
+    if (test.encoding) {
+        const { write, writes, cleared } = encoding_of(test.encoding, test.reversed);
+        const same = write === snippets[test.write] && writes === test.writes && cleared.length === 4
+            && test.cleared.every((channel, i) => { const [n, d] = channel.split(' / '); return cleared[i] === n / (d ?? 1); });
+        if (!same) console.log(`encodings.${test.encoding}: ${write.name} ${writes} ${cleared}`), ++different;
+        names.delete(test.encoding);
+    }
     counts[kind] = (counts[kind] ?? 0) + 1;
+    const tier = text !== null && test.exactness ? umbrage.exactness(test.items.map(item)) : test.exactness;
+    if (tier !== test.exactness) console.log(`tier ${tier}, in C++ ${test.exactness}: ${JSON.stringify(test.items)}`), ++different;
     if (text === test.text) continue;
     if (++different > 3) continue;
     console.log(`differs: ${line.slice(0, 400)}`);
@@ -35,8 +47,17 @@ for (const line of readFileSync(expected, 'utf8').trimEnd().split('\n')) {
     console.log(`  line ${first + 1}: ${ours[first]}\n   in C++: ${theirs[first]}`);
 }
 
-// Bad input gets a clear answer.
-for (const bad of [() => bind(snippets.hard, 'a b'), () => bind(snippets.hard, '_a'), () => bind(snippets.hard, 'a', { texture: '3d' }),
+if (names.size) console.log(`in C++ no encoding is named ${[...names]}`), ++different;
+const keys = readFileSync(module_path, 'utf8').match(/^export const encodings = {[^]*?^};/m)[0].match(/^    \w+(?=: {)/gm);
+if (new Set(keys).size !== keys.length) console.log(`encodings twice of one name: ${keys}`), ++different;
+
+// Bad input gets a clear answer, by name.
+const wrong = 'umbrage: bind: map must be an object; got undefined. Is it of a name that encodings does not have?';
+try { bind(snippets.hard, 'a', encodings.typo), ++different, console.log('undefined taken for a map'); } catch ({ message }) {
+    if (message !== wrong) console.log(message), ++different;
+}
+for (const bad of [() => bind(snippets.hard, 'a b'), () => bind(undefined, 'a'), () => bind(snippets.hard), () => bind(snippets.hard, 'a', null),
+    () => bind(snippets.hard, 'a', { needs: [undefined] }), () => bind(snippets.hard, 'a', { needs: ['hard'] }), () => bind(snippets.hard, '_a'), () => bind(snippets.hard, 'a', { texture: '3d' }),
     () => bind(snippets.hard, 'a', { size: 3 }), () => bind(snippets.hard, 'a', { gather: 1 }), () => source('200', [snippets.hard]),
     () => source('300 es', [undefined])]) {
     let refused = false;

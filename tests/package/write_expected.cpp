@@ -62,24 +62,57 @@ std::vector<glsl::binding> maps() {
     all.push_back({.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}});
     all.push_back({.gather = true, .origin = "tile", .texture_size = "atlas_size"});
     all.push_back({.parameters = "int layer", .arguments = "layer", .texel = "fetch(maps, at, layer)"});
+    all.push_back(
+        {.parameters = "maps: array<texture_2d<f32>, 4>, map: i32", .arguments = "maps, map", .texel = "f(at)"});
+    for (const char* own :
+         {"int size", "int layer, int map", "map[4]", "a // b", "f(a", " ", "a; b", "metal::depth map"})
+        for (const bool both : {false, true})
+            all.push_back({.origin = both ? own : "", .parameters = own, .arguments = both ? own : ""});
+    for (const named_texture& t : textures)
+        for (const int channels : {0, 2, 3, 5})
+            for (const bool gather : {false, true})
+                all.push_back({.texture = t.kind, .gather = gather, .depth = "f(value)", .channels = channels});
+    all.push_back({.texture = glsl::texture::shadow, .depth = "value.x"});
+    all.push_back({.needs = {glsl::hard}});
     return all;
 }
 
-/// What text() gives, or that it throws.
+/// What text() gives and how exact it is, or that it or bind() throws.
 void add(std::ostream& out, const shader_language& l, const std::vector<bound>& items) {
-    std::string text;
+    std::string text = "null", exactness = "null";
     try {
+        for (const bound& item : items)
+            if (!item.by_macros) (void)bind(item.what, item.suffix.substr(item.suffix.empty() ? 0 : 1), item.map);
         text = literal(l.text(items));
-    } catch (const std::invalid_argument&) { text = "null"; }
-    out << "{\"language\":" << literal(l.name) << ",\"items\":" << json(items) << ",\"text\":" << text << "}\n";
+        exactness = literal(std::string_view("abc").substr(static_cast<std::size_t>(glsl::exactness(items)), 1));
+    } catch (const std::invalid_argument&) {}
+    out << "{\"language\":" << literal(l.name) << ",\"items\":" << json(items) << ",\"exactness\":" << exactness
+        << ",\"text\":" << text << "}\n";
+}
+
+/// What the package's encodings must hold: a filter's text, what an empty map holds, what writes a texel.
+void add_encoding(std::ostream& out, const auto& encoding, bool reversed) {
+    using type = std::decay_t<decltype(encoding)>;
+    std::string cleared;
+    for (const std::string& channel : cleared_channels(encoding))
+        cleared += (cleared.empty() ? "" : ",") + literal(channel);
+    out << "{\"encoding\":" << literal(type::name) << ",\"reversed\":" << (reversed ? "true" : "false")
+        << ",\"write\":" << literal(type::writer->name) << ",\"writes\":" << literal(writes(encoding))
+        << ",\"cleared\":[" << cleared
+        << "],\"text\":" << literal(glsl::text({bind(glsl::hard, "a", glsl::stored_as(encoding))})) << "}\n";
 }
 
 void write(std::ostream& out) {
+    umbrage::for_each_encoding([&](auto encoding) {
+        add_encoding(out, encoding, false);
+        encoding = {.direction = umbrage::depth_direction::reversed};
+        add_encoding(out, encoding, true);
+    });
     for (const shader_language& l : languages) {
         for (const snippet* s : glsl::registry()) add(out, l, {*s});
         for (const glsl::binding& map : maps())
-            for (const snippet& s : {glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_dx_sdk})
-                add(out, l, {bind(s, "sun", map)});
+            for (const snippet& s : {glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_dx_sdk, glsl::lit_at})
+                add(out, l, {bound(s, "sun", map)});
         const auto reversed = umbrage::depth_direction::reversed;  // four maps of four kinds in one shader
         add(out, l,
             {bind(glsl::pcf_2x2, "spot", glsl::stored_as(umbrage::rg<11>{})),
@@ -94,6 +127,10 @@ void write(std::ostream& out) {
             {bind(glsl::hard, "a", {}), glsl::level_rg<11>, glsl::pcf_2x2,
              bind(glsl::box, "b", {.texture = glsl::texture::cube})});
         add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "a", {.outside_lit = true})});
+        add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "A", {})});
+        add(out, l, {bind(glsl::hard, "", {}), glsl::box});
+        add(out, l, {glsl::box, bind(glsl::hard, "", {})});
+        add(out, l, {bind(glsl::hard, "rg11", glsl::stored_as(umbrage::rg<11>{}))});
     }
     for (const glsl::version v : glsl::versions)
         for (const snippet* s : glsl::registry()) {

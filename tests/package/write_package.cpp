@@ -2,8 +2,9 @@
 //
 // Writes what needs no build:  write_package TEMPLATES FOLDER
 //
-// FOLDER/shaders/LANGUAGE/NAME.EXTENSION   every snippet with all it needs, to paste
+// FOLDER/shaders                           files to paste: see paste.hpp
 // FOLDER/umbrage.mjs, umbrage.d.mts        the npm package's module: TEMPLATES/umbrage.mjs.in and the texts
+// FOLDER/umbrage.cjs, umbrage.d.cts        the same for Node's require
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -12,22 +13,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "languages.hpp"
+#include "paste.hpp"
 
 namespace package {
 namespace {
 
 namespace fs = std::filesystem;
 using glsl::snippet;
-
-const std::string version = std::to_string(UMBRAGE_VERSION_MAJOR) + '.' + std::to_string(UMBRAGE_VERSION_MINOR) + '.' +
-                            std::to_string(UMBRAGE_VERSION_PATCH);
-
-void write(const fs::path& path, const std::string& text) {
-    fs::create_directories(path.parent_path());
-    std::ofstream file(path, std::ios::binary);
-    if (!(file << text)) throw std::runtime_error("cannot write " + path.string());
-}
 
 /// FOLDER/NAME.in with each @key@ replaced.
 std::string filled(const fs::path& path, std::initializer_list<std::pair<std::string_view, std::string>> values) {
@@ -72,8 +64,9 @@ std::string_view role(glsl::hook h) {
 }
 
 std::string row(const snippet& s) {
+    const glsl::tier exactness = is_variant(s) ? s.exactness : glsl::exactness({s});
     return "    [" + literal(id(s)) + ", " + literal(s.name) + ", " + literal(s.summary) + ", \"" +
-           "abc"[static_cast<int>(s.exactness)] + "\", " + std::to_string(s.ulp) + ", " +
+           "abc"[static_cast<int>(exactness)] + "\", " + std::to_string(s.ulp) + ", " +
            (s.within > 0.0f ? "1 / " + std::to_string(static_cast<int>(1.0f / s.within)) : "0") + ", " +
            literal(directive(s.lowest)) + ", " + literal(role(s.role)) + ", " + (s.scaled ? "true" : "false") + ", " +
            list(s.needs) + "],\n";
@@ -112,7 +105,6 @@ std::string languages_of_module() {
         out += "        prelude: " + literal(l.words->prelude) + ",\n";
         out += std::string("        preprocessor: ") + (l.words->preprocessor ? "true" : "false") + ",\n";
         out += std::string("        macros: ") + (l.words->macros ? "true" : "false") + ",\n";
-        out += "        scaled_macro: " + literal(l.words->scaled_macro) + ",\n";
         out += "        textures: {\n";
         for (const named_texture& t : textures)
             out += "            " + std::string(t.name) + ": " + words(l.words->texture(t.kind)) + ",\n";
@@ -128,16 +120,33 @@ std::string languages_of_module() {
     return out + "};\n";
 }
 
+std::string encoding_of_module(const auto& encoding) {
+    using type = std::decay_t<decltype(encoding)>;
+    const glsl::binding map = glsl::stored_as(encoding);
+    std::string cleared;
+    for (const std::string& channel : cleared_channels(encoding)) cleared += (cleared.empty() ? "" : ", ") + channel;
+    return "{ direction: " + literal(map.direction == umbrage::depth_direction::forward ? "forward" : "reversed") +
+           ", depth: " + literal(map.depth) + ", channels: " + std::to_string(map.channels) + ", needs: [" +
+           (map.needs.empty() ? "" : "snippets." + std::string(map.needs.front().name)) +
+           "],\n        write: snippets." + std::string(type::writer->name) + ", writes: " + literal(writes(encoding)) +
+           ", cleared: [" + cleared + "]";
+}
+
 std::string encodings_of_module() {
     std::string out = "export const encodings = {\n";
-    umbrage::for_each_encoding([&](const auto& encoding) {
-        const glsl::binding map = glsl::stored_as(encoding);
-        if (map.needs.empty()) return;
-        const std::string name(map.needs.front().name);
-        out += "    " + name.substr(std::string("decode_").size()) + ": { depth: " + literal(map.depth) +
-               ", channels: " + std::to_string(map.channels) + ", needs: [snippets." + name + "] },\n";
+    umbrage::for_each_encoding([&](auto encoding) {
+        out += "    " + std::string(encoding.name) + ": " + encoding_of_module(encoding);
+        encoding = {.direction = umbrage::depth_direction::reversed};
+        out += ",\n        reversed: " + encoding_of_module(encoding) + " } },\n";
     });
     return out + "};\n";
+}
+
+std::string names_of_encodings() {
+    std::string out;
+    umbrage::for_each_encoding(
+        [&](const auto& e) { out += (out.empty() ? "'" : " | '") + std::string(e.name) + '\''; });
+    return out;
 }
 
 std::string module_data() {
@@ -161,53 +170,28 @@ std::string module_data() {
            encodings_of_module() + exported + "export const { " + names + " } = snippets;";
 }
 
+/// The module as Node's require takes it: exports at the end.
+std::string as_commonjs(std::string text) {
+    std::string names;
+    const std::string_view keyword = "\nexport ";
+    for (auto at = text.find(keyword); at != text.npos; at = text.find(keyword, at)) {
+        text.erase(at + 1, keyword.size() - 1);
+        const auto name = text.find(' ', at) + 1;
+        const bool several = text[name] == '{';
+        const auto end = text.find_first_of(several ? "}" : " (", name);
+        names += (names.empty() ? "" : ", ") +
+                 (several ? text.substr(name + 2, end - name - 3) : text.substr(name, end - name));
+    }
+    return text + "\nmodule.exports = { " + names + " };\n";
+}
+
 std::string module_names() {
     std::string out;
-    for (const shader_language& l : languages) out += "export const " + std::string(l.name) + ": Language;\n";
+    for (const shader_language& l : languages)
+        out += "export const " + std::string(l.name) + (l.words->macros ? ": VersionedLanguage;\n" : ": Language;\n");
     for (const snippet* s : glsl::registry())
         out += "/** " + std::string(s->summary) + " */\nexport const " + std::string(s->name) + ": Snippet;\n";
     return out;
-}
-
-/// A snippet, as the shader's one map has it, behind all it needs.
-void collect(const snippet& asked, std::vector<const snippet*>& all) {
-    const snippet& s = glsl::detail::chosen(asked, {});
-    for (const snippet* need : s.needs) collect(*need, all);
-    if (std::find(all.begin(), all.end(), &s) == all.end()) all.push_back(&s);
-}
-
-/// Where nothing keeps two pasted texts from clashing, a file is one function, and names the others.
-std::string one_function(const shader_language& l, const std::vector<const snippet*>& needs_and_it) {
-    const snippet& s = *needs_and_it.back();
-    std::string text = "// umbrage " + version + ", MIT License: " + std::string(s.name) + '\n';
-    for (const snippet* need : needs_and_it)
-        if (need != &s)
-            text += (need == needs_and_it.front() ? "// Paste along: " : ", ") + std::string(need->name) +
-                    std::string(l.extension);
-    if (needs_and_it.size() > 1) text += '\n';
-    return text + glsl::detail::laid_out(
-                      glsl::detail::for_map(l.words->translate(s), s, s, l.words->texture(glsl::texture::texture_2d)));
-}
-
-void write_shaders(const fs::path& folder) {
-    for (const shader_language& l : languages)
-        for (const snippet* s : glsl::registry()) {
-            const auto file = [&](const snippet& of) {
-                return folder / l.folder / (std::string(of.name) + std::string(l.extension));
-            };
-            if (l.words->preprocessor) {
-                const glsl::bound item(*s);
-                write(file(*s), l.text({&item, 1}));
-                continue;
-            }
-            std::vector<const snippet*> all;
-            collect(*s, all);
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                std::vector<const snippet*> part;
-                collect(*all[i], part);
-                write(file(*all[i]), one_function(l, part));
-            }
-        }
 }
 
 }  // namespace
@@ -217,13 +201,17 @@ int main(int argc, char** argv) {
     if (argc != 3) return 2;
     try {
         const std::filesystem::path templates = argv[1], folder = argv[2];
-        package::write_shaders(folder / "shaders");
-        package::write(folder / "umbrage.mjs",
-                       package::filled(templates / "umbrage.mjs.in",
-                                       {{"@version@", package::version}, {"@data@", package::module_data()}}));
-        package::write(folder / "umbrage.d.mts",
-                       package::filled(templates / "umbrage.d.mts.in",
-                                       {{"@version@", package::version}, {"@names@", package::module_names()}}));
+        package::write_shaders(folder / "shaders", package::copyright(templates / "../../LICENSE"));
+        const std::string module = package::filled(
+            templates / "umbrage.mjs.in", {{"@version@", package::version}, {"@data@", package::module_data()}});
+        const std::string types =
+            package::filled(templates / "umbrage.d.mts.in", {{"@version@", package::version},
+                                                             {"@encodings@", package::names_of_encodings()},
+                                                             {"@names@", package::module_names()}});
+        package::write(folder / "umbrage.mjs", module);
+        package::write(folder / "umbrage.cjs", package::as_commonjs(module));
+        package::write(folder / "umbrage.d.mts", types);
+        package::write(folder / "umbrage.d.cts", types);
     } catch (const std::exception& error) {
         std::cerr << "write_package: " << error.what() << '\n';
         return 1;

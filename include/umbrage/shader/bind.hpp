@@ -9,16 +9,13 @@
 //
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
-#include <umbrage/clip_space.hpp>
 #include <umbrage/config.hpp>
-#include <umbrage/depth/encoding.hpp>
-#include <umbrage/shader/snippet.hpp>
+#include <umbrage/shader/binding.hpp>
+#include <umbrage/shader/chosen.hpp>
 
 namespace umbrage::glsl {
 
@@ -28,62 +25,79 @@ namespace detail {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-}  // namespace detail
-
-/// What a map's texels lie in, and so what functions that take a map are called with first; here in GLSL's words:
-///   texture_2d             sampler2D map: depths, or values that `depth` makes depths of
-///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller gives
-///   array                  sampler2DArray map, float layer
-///   cube                   samplerCube map, float face: one face of cube_map.hpp, filtered within itself
-///   cube_faces             samplerCube map: its faces as the tiles of an atlas, for pcf_2x2_cube, to which the size is
-///                          that of the atlas then, (3, 2) times a face's
-///   integer                usampler2D map: the value is the whole number, exact up to 2^24
-///   depth, depth_array     depth textures that are read as they are; in GLSL texture_2d and array
-///   shadow, shadow_array   comparison samplers, sampler2DShadow map: they compare themselves, in the direction that
-///                          they were set to; a filter that needs depths cannot be bound to them
-/// Samplers clamp to the edge and take the nearest texel, but for pcf_2x2_hardware and window_hardware. A depth texture
-/// of floats gives the plain form's bits. Where its depths are whole numbers, a sampler compares with the receiver as
-/// one from 0 to 1: filters give the same all the same, as they light what is beyond the far plane; lit() alone does
-/// not.
-enum class texture { texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array };
-
-/// A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language.
-struct binding {
-    glsl::texture texture = glsl::texture::texture_2d;
-    depth_direction direction = depth_direction::forward;
-    bool outside_lit = false;      ///< outside the map all is lit; else the nearest texel inside counts
-    bool gather = false;           ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
-                                   ///< edge, but for regions
-    std::string depth{};           ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x
-    int channels = 1;              ///< how many of `value` it reads
-    std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
-    std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
-    std::string parameters{};      ///< in place of the kind's: what stands for the map in declarations,
-    std::string arguments{};       ///< in calls,
-    std::string texel{};           ///< and as value, a vec4, of the texture at `at`, a vec2 of whole numbers
-    std::vector<snippet> needs{};  ///< what these texts call
-
-    friend bool operator==(const binding&, const binding&) = default;
-};
-
-/// The map that an encoding's texels make, in place of `map`'s depth and direction.
-template <known_encoding Encoding>
-[[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
-    map.direction = encoding.direction;
-    if constexpr (Encoding::writes != written::depth) {
-        map.channels = static_cast<int>(Encoding::texel::length());
-        map.depth = "umbrage_" + std::string(Encoding::reader->name) + "(value." +
-                    std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
-        if constexpr (has_edge<Encoding>) {
-            std::string edge = std::to_string(encoding.edge);
-            while (edge.back() == '0' && edge[edge.size() - 2] != '.') edge.pop_back();
-            map.depth += ", " + edge;
-        }
-        map.depth += ')';
-        map.needs.push_back(*Encoding::reader);
+/// What holds of a part of an identifier: letters, digits, single underscores between them.
+[[nodiscard]] constexpr bool is_part_of_identifier(std::string_view name) {
+    char before = '_';
+    for (const char c : name) {
+        if (!is_word(c) || (c == '_' && before == '_')) return false;
+        before = c;
     }
-    return map;
+    return name.empty() || before != '_';
 }
+
+/// Whether a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_expression(std::string_view text) {
+    std::string closing;
+    bool blank = true;
+    for (const char c : text) {
+        if (c < ' ' || c > '~' || std::string_view(";#\\\"'`").find(c) != std::string_view::npos) return false;
+        blank = blank && c == ' ';
+        if (c == '(' || c == '[' || c == '{') closing += c == '(' ? ')' : c == '[' ? ']' : '}';
+        if (c != ')' && c != ']' && c != '}') continue;
+        if (closing.empty() || closing.back() != c) return false;
+        closing.pop_back();
+    }
+    return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
+}
+
+/// @throws std::invalid_argument   unless it holds
+template <class = umbrage::detail::on_use>
+void must(bool holds, std::string_view condition, std::string_view got) {
+    if (holds) return;
+    std::string message = "umbrage::glsl::bind: ";
+    message += condition;
+    message += "; got ";
+    umbrage::detail::fail(message + (got.empty() ? "\"\"" : std::string(got)));
+}
+
+/// Every hook that the snippet calls is one that the map can have.
+template <class = umbrage::detail::on_use>
+void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
+    const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
+    must(!reads || !compares(map.texture),
+         "what must be a snippet that reads no depths, as a comparison sampler gives none", what.name);
+    must(asked.role != hook::gather_lit || gathers(map.texture),
+         "map.gather must be false where texels of cubes or whole numbers are gathered", "true");
+    must(asked.role != hook::gather_lit || map.channels <= 2, "map.channels must be 1 or 2 where texels are gathered",
+         std::to_string(map.channels));
+    for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
+}
+
+/// @throws std::invalid_argument   for what does not compile, whatever the language
+template <class = umbrage::detail::on_use>
+void check(const snippet& what, std::string_view name, const binding& map) {
+    must(is_part_of_identifier(name), "name must be letters, digits and single underscores between them", name);
+    const bool one_channel =
+        compares(map.texture) || map.texture == texture::depth || map.texture == texture::depth_array;
+    must(1 <= map.channels && map.channels <= 4, "map.channels must be 1 to 4", std::to_string(map.channels));
+    must(!one_channel || map.channels == 1, "map.channels must be 1 for a depth texture", std::to_string(map.channels));
+    must(!compares(map.texture) || map.depth.empty(), "map.depth must be empty for a comparison sampler", map.depth);
+    const auto expression = [](const std::string& own, const char* condition) {
+        must(own.empty() || is_expression(own), condition, own);
+    };
+    expression(map.depth, "map.depth must be one expression on one line");
+    expression(map.origin, "map.origin must be one expression on one line");
+    expression(map.texture_size, "map.texture_size must be one expression on one line");
+    expression(map.texel, "map.texel must be one expression on one line");
+    expression(map.parameters, "map.parameters must be parameters on one line");
+    expression(map.arguments, "map.arguments must be expressions on one line");
+    for (const snippet& need : map.needs)
+        must(!reads_map(need), "map.needs must be snippets that read no map", need.name);
+    check_hooks(what, what, map);
+}
+
+}  // namespace detail
 
 /// A snippet and the map that it is for; a snippet alone is for the shader's one map.
 struct bound {
@@ -101,17 +115,10 @@ struct bound {
 
 /// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
 /// @param name   letters, digits, single underscores between them
-/// @throws std::invalid_argument  another name
+/// @throws std::invalid_argument   another name; a map that cannot have what is asked of it
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
-    char before = '_';
-    for (const char c : name) {
-        if (!detail::is_word(c) || (c == '_' && before == '_'))
-            umbrage::detail::fail("umbrage::glsl::bind: name is not a part of an identifier: " + std::string(name));
-        before = c;
-    }
-    if (!name.empty() && before == '_')
-        umbrage::detail::fail("umbrage::glsl::bind: name ends in _: " + std::string(name));
+    detail::check(what, name, map);
     return {what, name, std::move(map)};
 }
 

@@ -38,13 +38,6 @@ inline constexpr literal prelude = R"GLSL(
 
 namespace detail {
 
-inline constexpr literal scaled_macro = R"GLSL(
-// depths here are on a scale of their own, on which 1.0 is not the far plane
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
-)GLSL";
-
 [[nodiscard]] constexpr texture_words glsl_reads(texture kind) {
     switch (kind) {
         case texture::texture_2d:
@@ -122,8 +115,58 @@ template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
-                                        .macros = true,
-                                        .scaled_macro = scaled_macro};
+                                        .macros = true};
+
+[[nodiscard]] constexpr bool is_es(version v) {
+    return v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
+}
+
+/// __VERSION__
+[[nodiscard]] constexpr int number(version v) {
+    int n = 0;
+    for (const char c : directive(v).substr(0, 3)) n = n * 10 + (c - '0');
+    return n;
+}
+
+/// The prelude where the dialect is known.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string known_prelude(version v) {
+    const bool has_precise = number(v) >= (is_es(v) ? 320 : 400);
+    return std::string("\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP") + (is_es(v) ? " highp" : "") +
+           "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + (has_precise ? " precise" : "") +
+           "\n#endif\n";
+}
+
+/// The text with what __VERSION__ decides decided.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string resolved(std::string_view text, int number) {
+    enum class branch { kept, taken, left_out };  // kept: directive and all
+    const std::string_view condition = "#if __VERSION__ >= ";
+    std::vector<branch> open;
+    std::string out;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n') + 1);
+        text.remove_prefix(line.size());
+        bool shown = true;
+        if (line.starts_with(condition)) {
+            int least = 0;
+            for (const char c : line.substr(condition.size(), 3)) least = least * 10 + (c - '0');
+            open.push_back(number >= least ? branch::taken : branch::left_out);
+            shown = false;
+        } else if (line.starts_with("#if")) {
+            open.push_back(branch::kept);
+        } else if (line.starts_with("#else") && open.back() != branch::kept) {
+            open.back() = open.back() == branch::taken ? branch::left_out : branch::taken;
+            shown = false;
+        } else if (line.starts_with("#endif")) {
+            shown = open.back() == branch::kept;
+            open.pop_back();
+        }
+        for (const branch b : open) shown = shown && b != branch::left_out;
+        if (shown) out += line;
+    }
+    return out;
+}
 
 }  // namespace detail
 
@@ -156,37 +199,55 @@ template <class Use = umbrage::detail::on_use>
     return detail::compose<Use>(detail::glsl_language<Use>, items);
 }
 
-namespace detail {
-
+/// The same for a dialect: what __VERSION__ decides is decided, as preprocessors of engines do not know it.
+/// @throws std::invalid_argument   as above; when the dialect has not what a snippet or a map needs
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, const std::vector<bound>& items, std::string_view preamble) {
+[[nodiscard]] std::string text(version v, std::span<const bound> items) {
     for (const bound& item : items)
         if (!supports(item, v))
-            umbrage::detail::fail("umbrage::glsl::source: GLSL " + std::string(directive(v)) + " is too old for " +
-                                  std::string(item.what.name) + item.suffix);
+            umbrage::detail::fail("umbrage::glsl::text: version must be one that has " + std::string(item.what.name) +
+                                  item.suffix + "; got " + std::string(directive(v)));
+    const std::string known_prelude = detail::known_prelude<Use>(v);
+    detail::language known = detail::glsl_language<Use>;
+    known.prelude = known_prelude;
+    return detail::resolved<Use>(detail::compose<Use>(known, {items.begin(), items.end()}), detail::number(v));
+}
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(version v, std::initializer_list<bound> items) {
+    return text<Use>(v, std::span<const bound>(items.begin(), items.size()));
+}
+
+/// The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
+/// binding says in the shader's own language has no tier.
+/// @throws std::invalid_argument   as text
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] tier exactness(std::span<const bound> items) {
+    return detail::composition<Use>(detail::glsl_language<Use>, {items.begin(), items.end()}).exactness();
+}
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] tier exactness(std::initializer_list<bound> items) {
+    return detail::composition<Use>(detail::glsl_language<Use>, items).exactness();
+}
+
+/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+/// @throws std::invalid_argument   as text
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
     std::string out = "#version ";
     out += directive(v);
     out += '\n';
     out += preamble;
     if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + compose<Use>(glsl_language<Use>, items);
-}
-
-}  // namespace detail
-
-/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
-/// @throws std::invalid_argument   as text; when the dialect has not what a snippet or a map needs
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
-    return detail::source<Use>(v, {items.begin(), items.end()}, preamble);
+    return out + text<Use>(v, items);
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
-    return detail::source<Use>(v, {snippets.begin(), snippets.end()}, preamble);
+    const std::vector<bound> items(snippets.begin(), snippets.end());
+    return source<Use>(v, std::span<const bound>(items), preamble);
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
-    return detail::source<Use>(v, items, preamble);
+    return source<Use>(v, std::span<const bound>(items.begin(), items.size()), preamble);
 }
 
 }  // namespace umbrage::glsl

@@ -14,6 +14,8 @@ namespace umbrage::glsl::hooks {
 
 inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
                                               .summary = "lit_filtered, clamped",
+                                              .exactness = tier::c,
+                                              .within = 1.0f / 128.0f,
                                               .needs = list<&before_far>,
                                               .role = hook::chosen,
                                               .source = R"GLSL(
@@ -31,6 +33,8 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
+                                               .exactness = tier::c,
+                                               .within = 1.0f / 128.0f,
                                                .needs = list<&before_far, &compare, &cleared_depth>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
@@ -51,8 +55,12 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 // Where a map is all of its texture, uv over the map is what the sampler takes, and the sampler clamps to the edge.
 
-inline constexpr snippet sampled_lit{
-    .name = "lit_at", .summary = "lit_at, sampled", .role = hook::chosen, .source = R"GLSL(
+inline constexpr snippet sampled_lit{.name = "lit_at",
+                                     .summary = "lit_at, sampled",
+                                     .exactness = tier::c,
+                                     .within = 1.0f / 128.0f,
+                                     .role = hook::chosen,
+                                     .source = R"GLSL(
 // umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
@@ -61,8 +69,13 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 }
 )GLSL"};
 
-inline constexpr snippet sampled_depth{
-    .name = "depth_at", .summary = "depth_at, sampled", .needs = list<&decode>, .role = hook::chosen, .source = R"GLSL(
+inline constexpr snippet sampled_depth{.name = "depth_at",
+                                       .summary = "depth_at, sampled",
+                                       .exactness = tier::c,
+                                       .ulp = 1,
+                                       .needs = list<&decode>,
+                                       .role = hook::chosen,
+                                       .source = R"GLSL(
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include <umbrage/depth/encodings.hpp>
-#include <umbrage/filter/pcf/hard.hpp>
-#include <umbrage/shader/glsl.hpp>
+#include <umbrage/depth/rg.hpp>
+#include <umbrage/depth/rgb24.hpp>
+#include <umbrage/filter/filters.hpp>
 
 using namespace umbrage;
 using namespace umbrage::glsl;
@@ -21,26 +21,46 @@ TEST_CASE("bind: a name makes a suffix") {
         CHECK_THROWS_AS((void)bind(glsl::hard, name), std::invalid_argument);
 }
 
-TEST_CASE("stored_as: a texel of any encoding becomes the depth that its reader gives") {
-    for_each_encoding([]<class Encoding>(const Encoding& encoding) {
-        CAPTURE(Encoding::name);
-        const binding map = stored_as(encoding, {.texture = texture::array, .outside_lit = true});
-        CHECK(map.texture == texture::array);
-        CHECK(map.outside_lit);
-        CHECK(map.direction == encoding.direction);
-        const snippet* reader = Encoding::reader;
-        CHECK(map.depth.empty() == (reader == nullptr));
-        CHECK(map.needs.size() == (reader ? 1u : 0u));
-        if (!reader) return;
-        const std::string text = glsl::text({bind(glsl::hard, "map", map)});
-        const std::string name =
-            "umbrage_" + std::string(reader->name) + (umbrage::glsl::detail::is_of_map(*reader) ? "_map(" : "(");
-        CHECK(text.find(" " + name) < text.find("return " + name));  // defined, and before it is called
-        CHECK(text.find("return " + name) != text.npos);
-    });
-    CHECK(stored_as(rg<11>{}).depth == "umbrage_decode_rg11(value.xy, 1.0)");
-    CHECK(stored_as(rg<11>{.direction = depth_direction::reversed}).depth == "umbrage_decode_rg11(value.xy, 0.0)");
-    CHECK(stored_as(rg<11>{.edge = 0.5f}).depth == "umbrage_decode_rg11(value.xy, 0.5)");
-    CHECK(stored_as(rg<11>{}).channels == 2);
-    CHECK(stored_as(depth32f{}) == binding{});
+TEST_CASE("bind: what cannot compile is refused, by argument and value") {
+    const auto refused = [](const snippet& s, const char* name, const binding& map, const char* message) {
+        CHECK_THROWS_WITH_AS((void)bind(s, name, map), message, std::invalid_argument);
+    };
+    refused(glsl::hard, "a b", {},
+            "umbrage::glsl::bind: name must be letters, digits and single underscores between them; got a b");
+    refused(glsl::hard, "a", {.channels = 5}, "umbrage::glsl::bind: map.channels must be 1 to 4; got 5");
+    refused(glsl::hard, "a", {.channels = 0}, "umbrage::glsl::bind: map.channels must be 1 to 4; got 0");
+    for (const texture kind : {texture::depth, texture::depth_array, texture::shadow, texture::shadow_array})
+        for (const bool gather : {false, true})
+            refused(glsl::hard, "a", stored_as(rg<11>{}, {.texture = kind, .gather = gather}),
+                    "umbrage::glsl::bind: map.channels must be 1 for a depth texture; got 2");
+    refused(glsl::hard, "a", {.texture = texture::shadow, .depth = "1.0 - value.x"},
+            "umbrage::glsl::bind: map.depth must be empty for a comparison sampler; got 1.0 - value.x");
+    for (const texture kind : {texture::cube, texture::cube_faces, texture::integer})
+        refused(glsl::pcf_2x2, "a", {.texture = kind, .gather = true},
+                "umbrage::glsl::bind: map.gather must be false where texels of cubes or whole numbers are gathered; "
+                "got true");
+    CHECK_NOTHROW((void)bind(glsl::hard, "a", {.texture = texture::integer, .gather = true}));  // it gathers nothing
+    refused(glsl::pcf_2x2_dx_sdk, "a", {.texture = texture::shadow},
+            "umbrage::glsl::bind: what must be a snippet that reads no depths, as a comparison sampler gives none; got "
+            "pcf_2x2_dx_sdk");
+    refused(glsl::pcf_2x2, "a", stored_as(rgb24{}, {.gather = true}),
+            "umbrage::glsl::bind: map.channels must be 1 or 2 where texels are gathered; got 3");
+    CHECK_NOTHROW((void)bind(glsl::hard, "a", stored_as(rgb24{}, {.gather = true})));
+    refused(glsl::hard, "a", {.needs = {glsl::pcf_2x2}},
+            "umbrage::glsl::bind: map.needs must be snippets that read no map; got pcf_2x2");
+}
+
+TEST_CASE("bind: texts of one's own are expressions, on one line") {
+    const auto refused = [](const binding& map, const char* message) {
+        CHECK_THROWS_WITH_AS((void)bind(glsl::hard, "a", map), message, std::invalid_argument);
+    };
+    refused({.depth = "value.x; return 1.0"},
+            "umbrage::glsl::bind: map.depth must be one expression on one line; got value.x; return 1.0");
+    refused({.origin = "vec2(1.0"}, "umbrage::glsl::bind: map.origin must be one expression on one line; got vec2(1.0");
+    refused({.texture_size = " "}, "umbrage::glsl::bind: map.texture_size must be one expression on one line; got  ");
+    refused({.texel = "#ifdef A"}, "umbrage::glsl::bind: map.texel must be one expression on one line; got #ifdef A");
+    refused({.parameters = "int a // layer"},
+            "umbrage::glsl::bind: map.parameters must be parameters on one line; got int a // layer");
+    refused({.arguments = "a)(b"}, "umbrage::glsl::bind: map.arguments must be expressions on one line; got a)(b");
+    CHECK_NOTHROW((void)bind(glsl::hard, "a", {.texel = "metal::float4{maps[layer].read(uint2(at)).x}"}));
 }

@@ -11,9 +11,11 @@
 
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/rg_level.hpp>
+#include <umbrage/depth/kinds.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
+#include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shader/glsl.hpp>
 
 using namespace umbrage;
@@ -69,7 +71,25 @@ TEST_CASE("several maps in one text: each its own functions, what belongs to non
 TEST_CASE("a map without a name: beside it stands what belongs to no map, not what is for another without a name") {
     CHECK(glsl::text({bind(glsl::hard, "", packed), glsl::decode_rg<11>}).find("float umbrage_hard(") !=
           std::string::npos);
-    CHECK_THROWS_AS((void)glsl::text({bind(glsl::hard, "", packed), glsl::box}), std::invalid_argument);
+    for (const binding& map : {packed, binding{}}) {  // whatever the order, and be it of the same kind
+        CHECK_THROWS_WITH_AS((void)glsl::text({bind(glsl::hard, "", map), glsl::box}),
+                             "umbrage::glsl::text: name must be another for each map; got \"\" for two",
+                             std::invalid_argument);
+        CHECK_THROWS_AS((void)glsl::text({glsl::box, bind(glsl::hard, "", map)}), std::invalid_argument);
+    }
+}
+
+TEST_CASE("names that make one function of two, or one guard, are refused") {
+    CHECK_THROWS_WITH_AS((void)glsl::text({bind(glsl::hard, "rg11", packed)}),
+                         "umbrage::glsl::text: names must keep functions apart, in capitals too; got "
+                         "umbrage_decode_rg11 and umbrage_decode_rg11",
+                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(
+        (void)glsl::text({bind(glsl::hard, "sun"), bind(glsl::hard, "Sun", layered)}),
+        "umbrage::glsl::text: names must keep functions apart, in capitals too; got umbrage_beyond_far_sun "
+        "and umbrage_beyond_far_Sun",
+        std::invalid_argument);
+    CHECK_THROWS_AS((void)glsl::text({bind(glsl::hard, "2x2"), glsl::pcf_2x2}), std::invalid_argument);
 }
 
 TEST_CASE("what hooks call is put in front, however the snippets are listed") {
@@ -83,11 +103,13 @@ TEST_CASE("a map of depths on a scale of their own has no far plane") {
     binding levels{.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}};
     CHECK(function(glsl::text({bind(glsl::hard, "a", levels)}), "umbrage_beyond_far_a").find("return false;") !=
           std::string::npos);
-    const std::string_view macro = "#define UMBRAGE_BEYOND_FAR(receiver) false\n";
     for (const std::string& text :
-         {glsl::text({glsl::hard, glsl::level_rg<11>}), glsl::text({glsl::level_rg<11>, glsl::hard})})
-        CHECK(text.find(macro) < text.find("bool umbrage_beyond_far("));
-    CHECK(glsl::text({glsl::hard, glsl::decode_rg<11>}).find(macro) == std::string::npos);
+         {glsl::text({glsl::hard, glsl::level_rg<11>}), glsl::text({glsl::level_rg<11>, glsl::hard}),
+          glsl::text({glsl::level_rg<11>})}) {  // to be pasted in front of filters
+        CHECK(function(text, "umbrage_beyond_far").find("return false;") != std::string::npos);
+        CHECK(text.find("UMBRAGE_BEYOND_FAR(") == std::string::npos);
+    }
+    CHECK(glsl::text({glsl::hard, glsl::decode_rg<11>}).find("#ifndef UMBRAGE_BEYOND_FAR\n") != std::string::npos);
 }
 
 TEST_CASE("regions: the origin is added where the texture is read, and nowhere else") {
@@ -101,6 +123,19 @@ TEST_CASE("regions: the origin is added where the texture is read, and nowhere e
     CHECK(function(atlas, "umbrage_texel_a").find("texel + origin;") != std::string::npos);
     const std::string whole = glsl::text({bind(glsl::hard, "a", {})});
     CHECK(function(whole, "umbrage_texel_a").find(" at ") == std::string::npos);
+}
+
+TEST_CASE("exactness: the worst tier of a text, its maps' hooks included") {
+    CHECK(exactness({}) == tier::a);
+    CHECK(exactness({bind(glsl::hard, "a", packed), glsl::hard}) == tier::a);
+    CHECK(exactness({glsl::hard, glsl::shadow_coordinate}) == tier::b);
+    CHECK(exactness({bind(glsl::hard, "a", packed), glsl::view_z_from_depth, glsl::hard}) == tier::c);
+    CHECK(exactness({bind(glsl::hard, "a", stored_as(threejs_rgba{}))}) == tier::b);   // decoded by a snippet of tier B
+    CHECK(exactness({bind(glsl::hard, "a", {.texture = texture::cube})}) == tier::b);  // found by one
+    CHECK(exactness({bind(glsl::hard, "a", {.texture = texture::shadow})}) == tier::a);
+    CHECK(exactness({bind(glsl::lit_at, "a", {.texture = texture::shadow})}) == tier::c);  // the sampler's own weights
+    CHECK_THROWS_AS((void)exactness({bind(glsl::hard, "a", layered), bind(glsl::box, "a", packed)}),
+                    std::invalid_argument);
 }
 
 TEST_CASE("what a map cannot have is refused") {

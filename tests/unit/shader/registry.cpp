@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include <umbrage/shader/glsl.hpp>
 #include <umbrage/shader/registry.hpp>
 
 using namespace umbrage::glsl;
@@ -108,5 +109,21 @@ TEST_CASE("registry: ulp are stated for tier c, and only there; what cannot roun
         CAPTURE(s->name);
         CHECK(((s->ulp > 0) != (s->within > 0.0f)) == (s->exactness == tier::c));
         if (s->exactness == tier::a) CHECK(s->source.str().find("UMBRAGE_PRECISE") == std::string::npos);
+    }
+}
+
+TEST_CASE("registry: no snippet is more exact than what it needs, nor a map's hook than the one it stands for") {
+    for (const snippet* s : registry()) {
+        CAPTURE(s->name);
+        CHECK(exactness({*s}) == s->exactness);
+        for (const snippet* need : s->needs) {
+            CAPTURE(need->name);
+            CHECK(need->exactness <= s->exactness);
+        }
+        for (const snippet* hook : hooks::all)
+            if (hook->name == s->name) {
+                CAPTURE(hook->summary);
+                CHECK(hook->exactness == s->exactness);
+            }
     }
 }

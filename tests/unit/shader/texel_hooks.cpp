@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include <umbrage/shader/compose.hpp>
+#include <umbrage/shader/chosen.hpp>
 
 namespace glsl = umbrage::glsl;
 using umbrage::glsl::detail::chosen;
@@ -19,13 +19,4 @@ TEST_CASE("a map's texels choose by direction, by what is outside, and by who co
     CHECK(&chosen(glsl::lit, ordinary) == &glsl::lit);
     CHECK(&chosen(glsl::lit, shadow) == &hooks::clamped_lit);
     CHECK(&chosen(glsl::lit, lit_shadow) == &hooks::bordered_lit);
-}
-
-TEST_CASE("four texels at once are gathered where the map says so, and stay inside a region") {
-    const binding gathered{.gather = true}, region{.gather = true, .origin = "vec2(8.0, 0.0)"},
-        lit_outside{.outside_lit = true, .gather = true};
-    CHECK(&chosen(glsl::lit_2x2, binding{}) == &glsl::lit_2x2);
-    CHECK(&chosen(glsl::lit_2x2, gathered) == &hooks::gathered);
-    CHECK(&chosen(glsl::lit_2x2, region) == &hooks::gathered_region);
-    CHECK(&chosen(glsl::lit_2x2, lit_outside) == &hooks::gathered_bordered);
 }

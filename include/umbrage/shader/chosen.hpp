@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// Which function a map has for each hook.
+//
+#pragma once
+
+#include <string>
+
+#include <umbrage/config.hpp>
+#include <umbrage/shader/binding.hpp>
+#include <umbrage/shader/hooks.hpp>
+
+namespace umbrage::glsl::detail {
+
+[[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
+/// Whether a map is all of its texture, edges and all.
+[[nodiscard]] inline bool is_whole(const binding& b) { return !has_region(b) && !b.outside_lit; }
+[[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
+[[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
+[[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
+
+/// The function that a map has in place of a hook's own text; other snippets as they are.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
+    const bool forward = b.direction == depth_direction::forward;
+    bool scaled = false;
+    for (const snippet& need : b.needs) scaled = scaled || need.scaled;
+    switch (s.role) {
+        case hook::none:
+        case hook::chosen: return s;
+        case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
+        case hook::beyond_far:
+            return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
+        case hook::before_far: return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
+        case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
+        case hook::texel:
+        case hook::fetch_depth:
+            if (s.role == hook::texel) return hooks::texel;
+            return b.outside_lit ? hooks::bordered_depth : hooks::clamped_depth;
+        case hook::lit:
+            if (!compares(b.texture)) return s;
+            return b.outside_lit ? hooks::bordered_lit : hooks::clamped_lit;
+        case hook::lit_2x2:
+            if (!b.gather) return s;
+            if (b.outside_lit) return hooks::gathered_bordered;
+            return has_region(b) ? hooks::gathered_region : hooks::gathered;
+        case hook::gather_lit:
+            if (compares(b.texture)) return hooks::gather_compared;
+            return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
+        case hook::lit_filtered:
+            if (!compares(b.texture)) return s;
+            return b.outside_lit ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
+        case hook::lit_at: return compares(b.texture) && is_whole(b) ? hooks::sampled_lit : s;
+        case hook::depth_at:
+            return b.gather && gathers(b.texture) && !compares(b.texture) && is_whole(b) ? hooks::sampled_depth : s;
+    }
+    return s;
+}
+
+/// Whether a snippet is a hook of these roles, or calls one.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool calls(const snippet& s, hook first, hook last) {
+    for (const snippet* need : s.needs)
+        if (calls(*need, first, last)) return true;
+    return first <= s.role && s.role <= last;
+}
+
+/// Whether a snippet's functions are a map's own.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_of_map(const snippet& s) {
+    return calls(s, hook::cleared_depth, hook::chosen);
+}
+
+/// Whether a snippet reads its map.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool reads_map(const snippet& s) {
+    return calls(s, hook::texel, hook::depth_at);
+}
+
+}  // namespace umbrage::glsl::detail

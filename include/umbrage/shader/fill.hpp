@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+//
+// A snippet's text, in any language, with the words that a map fills in.
+//
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <umbrage/config.hpp>
+#include <umbrage/shader/bind.hpp>
+#include <umbrage/shader/chosen.hpp>
+#include <umbrage/simd/algorithm.hpp>
+
+namespace umbrage::glsl::detail {
+
+/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
+/// 0 to 1.
+struct texture_words {
+    literal parameters, arguments;
+    literal texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    literal sampled{};                      ///< vec4 at `uv`
+    literal lit{};                          ///< the sampler's comparison with `receiver`: float
+    literal gather_red{}, gather_green{};   ///< vec4
+    literal gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    literal lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
+    literal size{};                         ///< of the texture: vec2
+    literal sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    snippet_span needs{};                   ///< what these words call
+};
+
+/// The text with each word replaced by replacement(word, in_comment).
+template <class Replacement>
+[[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
+    std::string out;
+    bool comment = false;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && is_word(text[end])) ++end;
+        if (end > i) {
+            out += replacement(text.substr(i, end - i), comment);
+            i = end;
+            continue;
+        }
+        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
+        out += text[i++];
+    }
+    return out;
+}
+
+/// Its words, but for those in comments.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view text) {
+    std::vector<std::string_view> all;
+    (void)replace_words(text, [&](std::string_view word, bool comment) {
+        if (!comment) all.push_back(word);
+        return std::string();
+    });
+    return all;
+}
+
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool contains(const std::vector<std::string_view>& all, std::string_view word) {
+    for (const std::string_view one : all)
+        if (one == word) return true;
+    return false;
+}
+
+/// What a text calls its map: `map`, or `table`.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string name_of_map(std::string_view text) {
+    const std::string_view type = "UMBRAGE_MAP ";
+    const auto at = text.find(type);
+    if (at == text.npos) return "map";
+    text.remove_prefix(at + type.size());
+    return std::string(text.substr(0, text.find_first_of(",)")));
+}
+
+/// A list's members: what commas part, but for those in brackets.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> members(std::string_view list) {
+    std::vector<std::string_view> all;
+    int open = 0;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        const char c = i < list.size() ? list[i] : ',';
+        if (c == '(' || c == '[' || c == '{' || c == '<') ++open;
+        if (c == ')' || c == ']' || c == '}' || c == '>') --open;
+        if (c != ',' || (open > 0 && i < list.size())) continue;
+        all.push_back(list.substr(begin, i - begin));
+        begin = i + 1;
+    }
+    return all;
+}
+
+/// The names that parameters declare: `map` of "sampler2D map", of "map: texture_2d<f32>" and of "sampler2D map[4]".
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> declared(std::string_view parameters) {
+    std::vector<std::string_view> names;
+    for (const std::string_view parameter : members(parameters)) {
+        std::size_t end = 0;  // of the name: a type may follow, or how many there are
+        while (end < parameter.size() && parameter[end] != '[' && parameter[end] != ':')
+            end += parameter.substr(end + 1).starts_with("::") ? 3 : 1;
+        const auto all = words_of(parameter.substr(0, end));
+        if (!all.empty()) names.push_back(all.back());
+    }
+    return names;
+}
+
+/// A snippet's text with what a map fills in.
+/// @throws std::invalid_argument   own parameters that leave out what is read, or take a name that the text has
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words) {
+    const binding& map = item.map;
+    const auto one_of = [](const std::string& own, std::string_view ordinary) {
+        return own.empty() ? std::string(ordinary) : own;
+    };
+    const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
+    const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
+    const auto replace = [&](std::string_view what, std::string_view with) {
+        for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+            text.replace(at, what.size(), with);
+    };
+    const std::string texel = one_of(map.texel, words.texel);
+    if (texel.starts_with('#')) replace("    return UMBRAGE_TEXEL;\n", "UMBRAGE_TEXEL");
+    if (const auto at = text.find("UMBRAGE_ORIGIN"); at != text.npos && origin.empty()) {
+        const auto begin = text.rfind('\n', at);
+        text.erase(begin, text.find('\n', at) - begin);
+    }
+    const std::string own_map = name_of_map(text);
+    replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
+    const auto with_sampler = [&](std::string_view ordinary, std::string_view sampler) {
+        std::string all(ordinary);
+        if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), sampler);
+        return all;
+    };
+    const std::string ordinary = with_sampler(words.arguments, words.sampler_argument);
+    const std::string parameters = one_of(map.parameters, with_sampler(words.parameters, words.sampler));
+    const std::string arguments = one_of(map.arguments, ordinary);
+    must(members(parameters).size() == members(arguments).size(), "map.arguments must be as many as map.parameters",
+         '"' + arguments + "\" for \"" + parameters + '"');
+    const std::vector<std::string_view> names = declared(parameters);
+    if (!map.parameters.empty())
+        for (const std::string_view word : words_of(text))
+            must(word == own_map || !contains(names, word),
+                 "map.parameters must be named otherwise than what umbrage_" + std::string(s.name) + " names", word);
+    /// A language's own words, whose arguments the map's own parameters declare too.
+    const auto ours = [&](std::string_view expression) {
+        for (const std::string_view word : words_of(expression))
+            must(!contains(words_of(ordinary), word) || contains(names, word),
+                 "map.parameters must declare " + std::string(word), parameters);
+        return expression;
+    };
+    if (map.arguments.empty()) ours(arguments);
+    const auto list = [&](const std::string& all) {
+        return replace_words(all,
+                             [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
+    };
+
+    const auto suffixed = [&](std::string_view word) {
+        const auto is_it = [name = word.substr(8)](const snippet& own) { return own.name == name && is_of_map(own); };
+        bool own = word.substr(8) == s.name;
+        for (const snippet& need : map.needs) own = own || is_it(need);
+        for (const snippet* need : s.needs) own = own || is_it(*need);
+        return std::string(word) + (own ? item.suffix : std::string());
+    };
+    const auto of_texture = [&](std::string_view expression) {
+        return replace_words(expression, [&](std::string_view word, bool) -> std::string {
+            if (word.starts_with("umbrage_")) return suffixed(word);
+            if (word == "at" && origin.empty()) return "texel";
+            if (word != "UMBRAGE_TEXTURE_SIZE") return std::string(word);
+            must(!texture_size.empty(),
+                 "map.texture_size must be given for a region that this language's sampler reads", "");
+            return texture_size;
+        });
+    };
+    return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
+        if (word.starts_with("umbrage_")) return suffixed(word);
+        if (word == own_map && !comment) return list(arguments);
+        if (word == "UMBRAGE_PARAMETERS") return list(parameters);
+        if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
+        if (word == "UMBRAGE_ORIGIN") return origin;
+        if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
+        if (word == "UMBRAGE_LIT_TEXEL") return of_texture(ours(words.lit));
+        if (word == "UMBRAGE_UV") return of_texture("at / UMBRAGE_TEXTURE_SIZE");
+        if (word == "UMBRAGE_SAMPLED") return of_texture(ours(words.sampled));
+        if (word == "UMBRAGE_LIT_FILTERED") return of_texture(ours(words.lit_filtered));
+        if (word == "UMBRAGE_GATHER_RED") return of_texture(ours(words.gather_red));
+        if (word == "UMBRAGE_GATHER_GREEN") return of_texture(ours(words.gather_green));
+        if (word == "UMBRAGE_GATHER_LIT") return of_texture(ours(words.gather_lit));
+        return std::string(word);
+    });
+}
+
+}  // namespace umbrage::glsl::detail

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+//
+// Files to paste, each with a head that says what its map must be:
+//
+// LANGUAGE/NAME.EXTENSION          a snippet with all it needs; of WGSL, which has no preprocessor, one function
+// wgsl_joined/NAME.wgsl            with all it needs
+// LANGUAGE/NAME_shadow.EXTENSION   the same for a comparison sampler; of WGSL in wgsl_joined
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <umbrage/filter/prefiltered/prefilters.hpp>
+
+#include "languages.hpp"
+
+namespace package {
+
+namespace fs = std::filesystem;
+using glsl::snippet;
+
+inline const std::string version = std::to_string(UMBRAGE_VERSION_MAJOR) + '.' + std::to_string(UMBRAGE_VERSION_MINOR) +
+                                   '.' + std::to_string(UMBRAGE_VERSION_PATCH);
+
+inline void write(const fs::path& path, const std::string& text) {
+    fs::create_directories(path.parent_path());
+    std::ofstream file(path, std::ios::binary);
+    if (!(file << text)) throw std::runtime_error("cannot write " + path.string());
+}
+
+/// The line of LICENSE that says whose it is.
+inline std::string copyright(const fs::path& license) {
+    std::ifstream file(license);
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("Copyright")) return line;
+    throw std::runtime_error("no copyright in " + license.string());
+}
+
+/// A line of comment, broken into several of at most 118 columns.
+inline std::string comment(std::string text) {
+    std::string out = "// ";
+    for (std::size_t room = 115; text.size() > room; room = 113) {
+        const auto end = text.rfind(' ', room);
+        out += text.substr(0, end) + "\n//   ";
+        text.erase(0, end + 1);
+    }
+    return out + text + '\n';
+}
+
+struct option {
+    std::string_view macro, meaning;
+};
+inline constexpr option options[]{
+    {"UMBRAGE_MAP", "type of the map, in place of sampler2D"},
+    {"UMBRAGE_FETCH(map, size, texel)", "depth of a texel, in place of .x: for packed depths"},
+    {"UMBRAGE_OUTSIDE_LIT", "outside the map all is lit; without it the nearest texel inside counts"},
+    {"UMBRAGE_REVERSED", "depth is 1.0 at the near plane and 0.0 at the far plane"},
+    {"UMBRAGE_LIT(receiver, stored)", "1.0 for a lit receiver, else 0.0"},
+    {"UMBRAGE_BEYOND_FAR(receiver)", "whether a receiver is behind the far plane"}};
+
+/// What a text lets its user define in front.
+inline std::string options_of(const std::string& text) {
+    std::string out;
+    for (const option& o : options) {
+        const std::string macro(o.macro.substr(0, o.macro.find('(')));
+        if (text.find("#ifndef " + macro + '\n') == text.npos && text.find("#ifdef " + macro + '\n') == text.npos)
+            continue;
+        out += "//   " + std::string(o.macro) + std::string(34 - o.macro.size(), ' ') + std::string(o.meaning) + '\n';
+    }
+    return out.empty() ? out : "// Options, to define in front:\n" + out;
+}
+
+inline const std::string target = " not sRGB, no blending, one sample. Clear to ";
+
+/// The render targets of the encodings and prefiltered maps that a snippet writes or reads.
+inline std::string targets_of(const snippet& s) {
+    constexpr std::string_view channels[]{"R", "RG", "RGB", "RGBA"};
+    std::string out;
+    umbrage::for_each_encoding([&](auto e) {
+        using type = decltype(e);
+        if constexpr (type::writes != umbrage::written::depth) {
+            if (s != *type::writer && s != *type::reader) return;
+            const auto cleared = [&] {
+                std::string all;
+                for (int c = 0; c < type::texel::length(); ++c)
+                    all += (c > 0 ? ", " : "(") + std::to_string(int(e.cleared()[c]));
+                return all + ") / 255";
+            };
+            std::string line = "Render target of " + std::string(type::name) + ": " +
+                               std::string(channels[type::texel::length() - 1]) + "8 UNORM," + target + cleared();
+            e = {.direction = umbrage::depth_direction::reversed};
+            line += ", with reversed depth to " + cleared() + ". Write ";
+            out += comment(line + (type::writes == umbrage::written::bytes ? "umbrage_to_unorm of " : "") + "umbrage_" +
+                           std::string(type::writer->name) + ".");
+        }
+    });
+    umbrage::prefilters::all::for_each([&](const auto& p) {
+        using type = std::decay_t<decltype(p)>;
+        if (s != *type::writer && s != *type::snippet) return;
+        int count = 1;
+        if constexpr (!std::is_same_v<typename type::texel, float>) count = type::texel::length();
+        const bool unorm = type::name == std::string_view("msm_turned");
+        out += comment("Render target of " + std::string(type::name) + ": " + std::string(channels[count - 1]) +
+                       (unorm ? "16 UNORM," : "32F,") + target + "umbrage_" + std::string(type::writer->name) +
+                       (unorm ? " of umbrage_encode_msm" : "") + " of the far plane's depth.");
+    });
+    return out;
+}
+
+/// What the map is that a snippet reads.
+inline std::string map_of(const shader_language& l, const glsl::bound& item) {
+    if (!glsl::detail::reads_map(item.what)) return "";
+    const glsl::texture kind = item.map.texture;
+    std::string parameters(l.words->texture(kind).parameters);
+    for (const std::string_view word : {"UMBRAGE_HIGHP ", "metal::"})
+        for (auto at = parameters.find(word); at != parameters.npos; at = parameters.find(word))
+            parameters.erase(at, word.size());
+    const std::string map = "Map: `" + parameters + "`, ";
+    if (kind == glsl::texture::shadow) {
+        const bool linear = item.what.name.find("hardware") != item.what.name.npos;
+        return comment(map + "a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters " +
+                       (linear ? "linearly." : "nearest.")) +
+               comment("Render target of the map: depth attachment, one sample. Clear to 1.0.");
+    }
+    if (!glsl::detail::calls(item.what, glsl::hook::fetch_depth, glsl::hook::depth_at))
+        return comment(map + "texels of the kind that the function's comment names, read unfiltered.");
+    return comment(map + "a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.") +
+           comment("Render target of the map: depth attachment, or R32F," + target +
+                   "1.0, with reversed depth to 0.0.");
+}
+
+/// What stands above a text, in place of its first line.
+inline std::string with_head(const shader_language& l, const std::string& copyright, const std::string& name,
+                             std::string_view summary, const std::vector<glsl::bound>& items, const std::string& text) {
+    std::string head = comment("umbrage " + version + ", " + name + ": " + std::string(summary) + ". Exactness: tier " +
+                               "ABC"[static_cast<int>(glsl::exactness(items))] + '.');
+    head += "// SPDX-License-Identifier: MIT\n";
+    head += "// " + copyright + ". License text: LICENSE in the umbrage repository.\n";
+    for (const glsl::bound& item : items) head += map_of(l, item) + targets_of(item.what);
+    return head + options_of(text) + text.substr(text.find('\n') + 1);
+}
+
+/// A snippet, as the shader's one map has it, behind all it needs.
+inline void collect(const snippet& asked, std::vector<const snippet*>& all) {
+    const snippet& s = glsl::detail::chosen(asked, {});
+    for (const snippet* need : s.needs) collect(*need, all);
+    if (std::find(all.begin(), all.end(), &s) == all.end()) all.push_back(&s);
+}
+
+/// Where nothing keeps two pasted texts from clashing, a file is one function, and names the others.
+inline std::string one_function(const shader_language& l, const snippet& s, std::string_view joined) {
+    std::vector<const snippet*> all;
+    collect(s, all);
+    std::string others;
+    for (const snippet* need : all)
+        if (need != &s) others += (others.empty() ? "" : ", ") + std::string(need->name) + std::string(l.extension);
+    if (!others.empty()) others = comment("Paste along: " + others + "; or paste " + std::string(joined) + " alone.");
+    return '\n' + others +
+           glsl::detail::laid_out(
+               glsl::detail::for_map(l.words->translate(s), s, s, l.words->texture(glsl::texture::texture_2d)));
+}
+
+/// What a snippet does; a map's hook says it in its comment.
+inline std::string summary_of(const snippet& s) {
+    if (!s.summary.starts_with(s.name)) return std::string(s.summary);
+    const std::string text = s.source.str(), start = "// umbrage_" + std::string(s.name) + ": ";
+    const auto begin = text.find(start) + start.size();
+    return text.substr(begin, text.find_first_of(";\n", begin) - begin);
+}
+
+struct pasted {
+    std::string name;
+    std::string_view summary;
+    std::vector<glsl::bound> items;
+};
+
+/// Filters for comparison samplers, which engines have. A search for blockers reads depths of the same texture.
+inline std::vector<pasted> for_comparison_samplers() {
+    std::vector<pasted> all;
+    const glsl::binding shadow{.texture = glsl::texture::shadow};
+    for (const snippet* s : {&glsl::hard, &glsl::pcf_2x2, &glsl::box, &glsl::tent<2>, &glsl::tent<3>, &glsl::castano<5>,
+                             &glsl::castano<7>, &glsl::disc<16>, &glsl::pcf_2x2_hardware, &glsl::window_hardware<3>,
+                             &glsl::window_hardware<5>, &glsl::window_hardware<7>, &glsl::disc_hardware<16>})
+        all.push_back({std::string(s->name) + "_shadow", s->summary, {bind(*s, "shadow", shadow)}});
+    all.push_back({"pcss_hardware16_shadow",
+                   "percentage-closer soft shadows (PCSS) at 16 points, one texture bound to two samplers",
+                   {glsl::disc_turn, glsl::pcss_radius,
+                    bind(glsl::blockers_hardware<16>, "depths", {.texture = glsl::texture::depth}),
+                    bind(glsl::disc_hardware<16>, "shadow", shadow)}});
+    return all;
+}
+
+inline void write_shaders(const fs::path& folder, const std::string& copyright) {
+    for (const shader_language& l : languages) {
+        const std::string joined = std::string(l.folder) + (l.words->preprocessor ? "" : "_joined");
+        std::vector<pasted> files = for_comparison_samplers();
+        for (const snippet* s : glsl::registry()) files.push_back({std::string(s->name), s->summary, {*s}});
+        for (const pasted& p : files)
+            write(folder / joined / (p.name + std::string(l.extension)),
+                  with_head(l, copyright, p.name, p.summary, p.items, l.text(p.items)));
+        if (l.words->preprocessor) continue;
+        std::vector<const snippet*> parts;
+        for (const snippet* s : glsl::registry()) collect(*s, parts);
+        for (const snippet* part : parts) {
+            const std::string name(part->name), file = name + std::string(l.extension);
+            write(folder / l.folder / file, with_head(l, copyright, name, summary_of(*part), {*part},
+                                                      one_function(l, *part, joined + '/' + file)));
+        }
+    }
+}
+
+}  // namespace package

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// Texts for one version of GLSL.
+#include <doctest/doctest.h>
+
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <umbrage/shader/glsl.hpp>
+#include <umbrage/shader/registry.hpp>
+
+#include "../parts_of_text.hpp"
+
+using namespace umbrage::glsl;
+
+TEST_CASE("text for a dialect: what __VERSION__ and GL_ES decide is decided") {
+    const std::string forked = "a\n#if __VERSION__ >= 130\nb\n#ifdef A\nc\n#else\nd\n#endif\n#else\ne\n#endif\nf\n";
+    CHECK(umbrage::glsl::detail::resolved(forked, 120) == "a\ne\nf\n");
+    CHECK(umbrage::glsl::detail::resolved(forked, 130) == "a\nb\n#ifdef A\nc\n#else\nd\n#endif\nf\n");
+    const auto prelude = [](version v) {
+        const std::string all = text(v, {umbrage::glsl::saturate});
+        return all.substr(all.find("#ifndef"), all.find("\n\n#ifndef UMBRAGE_HAS") - all.find("#ifndef"));
+    };
+    const auto of = [](const char* highp, const char* precise) {
+        return std::string("#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP") + highp +
+               "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + precise + "\n#endif";
+    };
+    CHECK(prelude(version::v330) == of("", ""));
+    CHECK(prelude(version::v430) == of("", " precise"));
+    CHECK(prelude(version::vulkan) == of("", " precise"));
+    CHECK(prelude(version::v100) == of(" highp", ""));
+    CHECK(prelude(version::v310_es) == of(" highp", ""));
+    CHECK(prelude(version::v320_es) == of(" highp", " precise"));
+    CHECK(count(text(version::v120, {umbrage::glsl::texel}), "texelFetch") == 0);
+    CHECK(count(text(version::v300_es, {umbrage::glsl::texel}), "texture2D") == 0);
+}
+
+// Engines have preprocessors of their own. PlayCanvas takes every comparison with an unknown name for true; Babylon.js
+// looks for a macro with parameters under a name with its bracket, and parts lines at each semicolon, comments too.
+TEST_CASE("text for a dialect: directives that preprocessors of engines know") {
+    std::vector<std::vector<bound>> texts{{umbrage::glsl::hard, umbrage::glsl::level_rg<11>}};
+    for (const snippet* s : registry()) texts.push_back({*s});
+    for (const texture kind :
+         {texture::texture_2d, texture::array, texture::cube, texture::cube_faces, texture::shadow})
+        texts.push_back({bind(umbrage::glsl::pcf_2x2, "a", {.texture = kind})});
+    for (const auto& items : texts)
+        for (const version v : {version::v100, version::v300_es, version::v450}) {
+            if (!supports(items.front(), v)) continue;
+            CAPTURE(items.front().what.name);
+            std::istringstream lines(text(v, items));
+            std::set<std::string> defined;
+            for (std::string line; std::getline(lines, line);) {
+                CAPTURE(line);
+                CHECK(line.find("__VERSION__") == line.npos);
+                CHECK(line.find("GL_ES") == line.npos);
+                const auto comment = line.find("//"), code = line.find_first_not_of(' ');
+                if (comment != line.npos && comment != code) CHECK(line.find(';', comment) == line.npos);
+                if (!line.starts_with('#')) continue;
+                const std::string directive = line.substr(0, line.find(' '));
+                const bool known = directive == "#ifdef" || directive == "#ifndef" || directive == "#else" ||
+                                   directive == "#endif" || directive == "#define";
+                CHECK(known);
+                const auto name = line.find(' ') + 1, bracket = line.find('(');
+                if (directive == "#define" && bracket < line.find(' ', name))
+                    CHECK((defined.insert(line).second || line.find("UMBRAGE_HAS") != line.npos));
+                if (directive != "#ifndef") continue;
+                for (const std::string& other : defined)  // else the two branches of one #ifdef
+                    CHECK(other.find(" " + line.substr(8) + "(") == other.npos);
+            }
+        }
+}
