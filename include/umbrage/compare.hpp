@@ -106,7 +106,7 @@ template <real T, class Compare = less_equal>
 /// Visibility as the DirectX SDK's ShadowMap sample tests it.
 /// @param receiver, stored   depths;   epsilon  in depth, added to the stored side
 /// @return        0 when stored + epsilon < receiver, else 1: NaN is lit here
-/// @exactness     B: one sum
+/// @exactness     B, n = 1: one sum
 /// @cite          Microsoft DirectX SDK, ShadowMap sample
 template <real T>
 [[nodiscard]] constexpr T compare_dx_sdk(T receiver, T stored, T epsilon) {
@@ -117,7 +117,7 @@ template <real T>
 /// Visibility as the directional-light exercise tests it.
 /// @param current, stored    depths;   epsilon  in depth, added to the stored side
 /// @return        1 when current < stored + epsilon, else 0: NaN is in shadow here
-/// @exactness     B: one sum
+/// @exactness     B, n = 1: one sum
 template <real T>
 [[nodiscard]] constexpr T compare_exercise(T current, T stored, T epsilon) {
     const T limit = stored + epsilon;
@@ -188,6 +188,7 @@ inline constexpr snippet compare_dx_sdk{
     .name = "compare_dx_sdk",
     .summary = "stored + epsilon < receiver is shadow",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
 UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
@@ -202,6 +203,7 @@ inline constexpr snippet compare_exercise{
     .name = "compare_exercise",
     .summary = "current < stored + epsilon is lit",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
 UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,

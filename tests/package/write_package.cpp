@@ -66,7 +66,7 @@ std::string_view role(glsl::hook h) {
 std::string row(const snippet& s) {
     const glsl::tier exactness = is_variant(s) ? s.exactness : glsl::exactness({s});
     return "    [" + literal(id(s)) + ", " + literal(s.name) + ", " + literal(s.summary) + ", \"" +
-           "abc"[static_cast<int>(exactness)] + "\", " + std::to_string(s.ulp) + ", " +
+           "abc"[static_cast<int>(exactness)] + "\", " + std::to_string(s.operations) + ", " +
            (s.within > 0.0f ? "1 / " + std::to_string(static_cast<int>(1.0f / s.within)) : "0") + ", " +
            literal(directive(s.lowest)) + ", " + literal(role(s.role)) + ", " + (s.scaled ? "true" : "false") + ", " +
            list(s.needs) + "],\n";
@@ -158,9 +158,11 @@ std::string module_data() {
     for (const shader_language& l : languages)
         exported += "export const " + std::string(l.name) + " = in_language('" + std::string(l.name) + "');\n";
     return "export const versions = [" + versions + "];\n\n" + languages_of_module() +
-           "\n// id, name, summary, exactness, ulp, within, lowest, role, scaled, needs\nconst rows = [\n" + rows +
-           "];\nconst all = new Map(rows.map(([id, name, summary, exactness, ulp, within, lowest, role, scaled]) =>\n"
-           "    [id, { id, name, summary, exactness, ulp, within, lowest, role, scaled, needs: [] }]));\n"
+           "\n// id, name, summary, exactness, operations, within, lowest, role, scaled, needs\nconst rows = [\n" +
+           rows +
+           "];\nconst all = new Map(rows.map(([id, name, summary, exactness, operations, within, lowest, role, "
+           "scaled]) =>\n"
+           "    [id, { id, name, summary, exactness, operations, within, lowest, role, scaled, needs: [] }]));\n"
            "for (const [id, , , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => "
            "all.get(need)));\n"
            "const part = variants => Object.fromEntries([...all]\n"

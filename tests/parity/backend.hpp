@@ -86,4 +86,7 @@ using backends = std::vector<std::unique_ptr<backend>>;
 /// The snippets' text compiled as C++.
 [[nodiscard]] backends cpp_backends();
 
+/// The same by a compiler that fuses multiplications and additions. Empty: the processor does not.
+[[nodiscard]] backends fused_backends();
+
 }  // namespace parity

@@ -2,11 +2,13 @@
 //
 // The one comparison of all back ends.
 //
-// A and B: bit for bit; C: within the snippet's ulp, or its distance. NaN equals NaN. Unless the entry is about bits,
-// -0 equals +0 and a denormal may act as zero (IEEE 754 hardware modes and llvmpipe flush): results of flushed inputs,
-// and flushed results, count as equal.
+// A and B: bit for bit; C: within an ulp, or the snippet's distance, as on implementations that evaluate as written.
+// NaN equals NaN. Unless the entry is about bits, -0 equals +0 and a denormal may act as zero (IEEE 754 hardware modes
+// and llvmpipe flush): results of flushed inputs, and flushed results, count as equal. Where the implementation may fuse
+// or regroup, `allows` says what else the bounds of B and C promise.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <ostream>
 
@@ -18,6 +20,7 @@ struct tally {
     std::map<std::string, std::uint64_t> inputs;  ///< per class
     std::uint64_t total = 0, different = 0, flushed = 0;
     std::uint64_t identical = 0;  ///< to the bit; NaN equals NaN
+    std::uint64_t bounded = 0;    ///< as the bounds of B and C allow
     std::int64_t worst_ulp = 0;
     float worst_distance = 0.0f;  ///< where that is what counts
 };
@@ -26,6 +29,7 @@ struct tally {
 struct expectation {
     std::vector<vec4> plain;
     const texels* flushed_map = nullptr;
+    std::function<bool(std::size_t input, const vec4& result)> allows{};
 };
 
 /// Ulps between a and b; 0 for two NaN, a huge number when one is NaN.

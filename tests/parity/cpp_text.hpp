@@ -16,11 +16,12 @@
 #endif
 #include "texture.hpp"
 
-#ifdef PARITY_ARITHMETIC
-namespace parity::glsl_as_numbers {
-#else
-namespace parity::glsl_as_cpp {
+// The text is compiled several times, in a namespace each: with floats (glsl_as_cpp), with floats that are fused
+// (glsl_as_fused), with numbers of arithmetic/ (glsl_as_numbers, which defines PARITY_ARITHMETIC).
+#ifndef PARITY_TEXT
+#define PARITY_TEXT glsl_as_cpp
 #endif
+namespace parity::PARITY_TEXT {
 
 // Named one by one: a using-directive would let the C library's double functions in.
 #ifdef PARITY_ARITHMETIC
@@ -154,4 +155,4 @@ inline vec4 textureGather(sampler2DArrayShadow map, vec3 p, glsl_float receiver)
 using function = vec4 (*)(const sample&, const filled_texture* const*);
 extern const std::vector<function> functions;
 
-}  // namespace parity::glsl_as_cpp or glsl_as_numbers
+}  // namespace parity::PARITY_TEXT

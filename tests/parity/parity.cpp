@@ -5,6 +5,7 @@
 #include <chrono>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include <unistd.h>
 
+#include "arithmetic/trial.hpp"
 #include "report.hpp"
 #include "shader.hpp"
 
@@ -24,7 +26,7 @@ constexpr const char* usage = R"(Every entry on one implementation, in all its d
     parity --backend BACKEND [--filter TEXT] [--versions "100,300 es,450"] [--count N] [--other-count N]
            [--every N] [--other-every N] [--whole N] [--out FOLDER] [--report FOLDER] [--mistake FROM=TO]
 
-  --backend      c++ llvmpipe softpipe lavapipe lavapipe_compute swiftshader swiftshader_vulkan metal naga tint hardware
+  --backend      c++ fused llvmpipe softpipe lavapipe lavapipe_compute swiftshader swiftshader_vulkan metal naga tint hardware
   --filter       only entries whose names have this in them; without it all, which takes minutes
   --versions     only these dialects
   --count        inputs of an entry in the main dialects, 1048576; --other-count: in the others, 65536
@@ -32,7 +34,7 @@ constexpr const char* usage = R"(Every entry on one implementation, in all its d
   --other-every  one in N in the other dialects, and of entries with bound maps or alike
   --whole        as many of each enumeration, in one dialect, 65536; 16777216 is all of every one
   --out          where parity-BACKEND.tsv goes, the table of all entries; without a filter alone
-  --report       folder of a page for each API, report-*.md, with a probe of its arithmetic; hardware is always probed
+  --report       folder of a page for each API, report-*.md, with a probe of its observed_arithmetic; hardware is always probed
   --mistake      printers write TO for FROM; the exit status is 0 when results differ for it
 
 Exit status: 0 agrees, 1 differs, 2 called wrongly, 77 nothing here to run on.
@@ -60,6 +62,8 @@ struct options {
         if (e.bound.empty() && d == b.dialects().back()) return true;
         return sampled(e.name() + b.label(d), e.bound.empty() && !e.alike && main(d) ? every : other_every);
     }
+    /// Whether the implementation need not evaluate as written: then B and C are held to their bounds.
+    [[nodiscard]] bool may_reorder() const { return driver == "hardware" || driver == "fused"; }
     /// A table lists every entry or is not written.
     [[nodiscard]] bool tables() const { return filter.empty() && planted.from.empty(); }
 };
@@ -93,19 +97,14 @@ options parse(int argc, char** argv) {
 
 constexpr std::size_t at_most = std::size_t(1) << 20;  // inputs of one draw
 
-std::string tier_name(const snippet& s) {
-    const std::string names[] = {"A", "B", "C"};
-    std::ostringstream all;
-    all << names[static_cast<int>(s.exactness)];
-    if (s.within > 0.0f) all << ' ' << std::setprecision(2) << s.within;
-    else if (s.exactness == tier::c) all << ' ' << s.ulp << " ulp";
-    return all.str();
-}
-
-std::vector<vec4> twins(const job& j) {
-    std::vector<vec4> all;
-    all.reserve(j.count);
-    for (std::size_t i = 0; i < j.count; ++i) all.push_back(j.what->twin(j.at(i)));
+expectation expect(const job& j, const texels* flushed_map, const options& o) {
+    expectation all{{}, flushed_map};
+    all.plain.reserve(j.count);
+    for (std::size_t i = 0; i < j.count; ++i) all.plain.push_back(j.what->twin(j.at(i)));
+    if (o.may_reorder())
+        all.allows = [run = std::make_shared<arithmetic::caller>(j)](std::size_t i, const vec4& result) {
+            return allows(*run, i, result);
+        };
     return all;
 }
 
@@ -118,7 +117,8 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     for (dialect d : b.dialects())
         if (e.runs_in(d) && o.wants(b, d) && o.samples(e, b, d) && o.inputs(e, d, only) > 0) dialects.push_back(d);
     std::vector<row> rows;
-    for (dialect d : dialects) rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(d), b.obstacle(e)});
+    for (dialect d : dialects)
+        rows.push_back({e.name(), umbrage::glsl::promise(*e.primitive), b.name(), b.label(d), b.obstacle(e)});
     if (rows.empty() || !rows.front().obstacle.empty()) return rows;
 
     std::size_t most = 0;
@@ -147,7 +147,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
         const texels flat = map ? flush(*map) : texels();
         for (std::size_t first = 0; first < most / maps; first += at_most) {
             const job j = make_job(e, map, first, std::min(at_most, most / maps - first), serial++);
-            const expectation expected{twins(j), map ? &flat : nullptr};
+            const expectation expected = expect(j, map ? &flat : nullptr, o);
             for (std::size_t d = 0; d < dialects.size(); ++d) {
                 const std::size_t wanted = o.inputs(e, dialects[d], only) / maps;
                 if (wanted > first) judge(j, expected, d, std::min(j.count, wanted - first));
@@ -161,13 +161,14 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     while (last > 0 && !(dialects[last].in == dialect::glsl && options::main(dialects[last]))) --last;
     for (std::size_t first = 0; first < whole; first += at_most) {
         const job j = make_whole_job(e, first, std::min(at_most, whole - first), serial++);
-        judge(j, {twins(j), e.maps.empty() ? nullptr : &flat}, last, j.count);
+        judge(j, expect(j, e.maps.empty() ? nullptr : &flat, o), last, j.count);
     }
     return rows;
 }
 
 backends find(const std::string& driver) {
     if (driver == "c++") return cpp_backends();
+    if (driver == "fused") return fused_backends();
     if (driver == "metal") return metal_backends();
     for (const char* vulkan : {"lavapipe", "lavapipe_compute", "naga", "swiftshader_vulkan"})
         if (driver == vulkan) return vulkan_backends(driver);

@@ -100,7 +100,7 @@ std::int64_t worst(const std::vector<vec4>& in, const std::vector<vec4>& got, in
     return ulp;
 }
 
-void ask_errors(const asker& ask, arithmetic& a) {
+void ask_errors(const asker& ask, observed_arithmetic& a) {
     const auto near = random_values(-4.0f, 4.0f, -64.0f, 64.0f), far = random_values(-60.0f, 60.0f, -120.0f, 120.0f);
     const auto sums = ask(nothing, "vec4(x0.x + x0.z, x0.x * x0.z, x0.x - x0.y, 0.0)", near);
     a.sum_ulp = std::max(worst(near, sums, 0, [](double x, double, double z) { return x + z; }),
@@ -113,7 +113,7 @@ void ask_errors(const asker& ask, arithmetic& a) {
     a.exp2_ulp = worst(far, rest, 3, [](double, double, double z) { return std::exp2(z); });
 }
 
-void ask_special_values(const asker& ask, arithmetic& a) {
+void ask_special_values(const asker& ask, observed_arithmetic& a) {
     constexpr float infinite = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     const vec4 in = ask.one("vec4(x0.x * x0.y, x0.x + x0.z, 0.0, 0.0)", {0x1p-130f, 0x1p24f, 0x1p-126f, 0.0f});
     a.flushes_inputs = in.x != 0x1p-106f || in.y != 0x1.1p-126f;
@@ -140,7 +140,7 @@ int significand(const std::vector<vec4>& sums) {
     return bits;
 }
 
-void ask_bits(const asker& ask, arithmetic& a) {
+void ask_bits(const asker& ask, observed_arithmetic& a) {
     std::vector<vec4> steps;
     for (int k = 1; k <= 23; ++k) steps.push_back({1.0f, std::ldexp(1.0f, -k), 0.0f, 0.0f});
     a.highp_bits = significand(ask(nothing, "vec4(x0.x + x0.y)", steps));
@@ -150,7 +150,7 @@ void ask_bits(const asker& ask, arithmetic& a) {
         a.mediump_bits = significand(ask(in_mediump, "vec4(umbrage_low(x0.y))", steps));
 }
 
-void ask_bytes(const asker& ask, arithmetic& a) {
+void ask_bytes(const asker& ask, observed_arithmetic& a) {
     std::vector<vec4> between, codes;
     for (int k = 0; k < 255; ++k)
         for (const float part : {0.4f, 0.6f}) between.emplace_back((static_cast<float>(k) + part) / 255.0f);
@@ -160,7 +160,7 @@ void ask_bytes(const asker& ask, arithmetic& a) {
             if (stored[i] != vec4(static_cast<float>(i / 2 + (up ? i % 2 : 0)))) return false;
         return true;
     };
-    using enum arithmetic::store;
+    using enum observed_arithmetic::store;
     a.unorm8_store = all(true) ? rounds : all(false) ? truncates : neither;
 
     entry e{.primitive = &umbrage::glsl::fetch_clamped,
@@ -179,7 +179,7 @@ void ask_bytes(const asker& ask, arithmetic& a) {
 }
 
 /// Counts the weights between the center of a texel in shadow and that of a lit one: 2^bits.
-void ask_weights(const asker& ask, arithmetic& a) {
+void ask_weights(const asker& ask, observed_arithmetic& a) {
     constexpr int bits = 14;
     entry e{.primitive = &umbrage::glsl::lit_at,
             .call = "vec4(umbrage_lit_at(map, map_size, vec2(x0.x, 0.5), 0.5))",
@@ -193,7 +193,7 @@ void ask_weights(const asker& ask, arithmetic& a) {
     if (!weights.empty()) a.weight_bits = static_cast<int>(std::lround(std::log2(static_cast<double>(weights.size()))));
 }
 
-std::string text_of(arithmetic::liberty l, const std::string& taken, const std::string& not_taken) {
+std::string text_of(observed_arithmetic::liberty l, const std::string& taken, const std::string& not_taken) {
     if (!l.plain && !l.precise) return not_taken;
     return taken + (l.precise ? "" : ", but not where it is precise");
 }
@@ -202,9 +202,9 @@ std::string either(bool yes, const char* one, const char* other) { return yes ? 
 
 }  // namespace
 
-arithmetic probe(backend& b, dialect d) {
+observed_arithmetic probe(backend& b, dialect d) {
     const asker ask{b, d};
-    arithmetic a;
+    observed_arithmetic a;
     a.fuses = {fuses(ask, plain), fuses(ask, precise)};
     a.reassociates = {reassociates(ask, plain), reassociates(ask, precise)};
     ask_errors(ask, a);
@@ -215,7 +215,7 @@ arithmetic probe(backend& b, dialect d) {
     return a;
 }
 
-std::vector<std::string> described(const arithmetic& a) {
+std::vector<std::string> described(const observed_arithmetic& a) {
     const auto ulp = [](std::int64_t n) {
         return n == std::numeric_limits<std::int64_t>::max() ? "NaN" : std::to_string(n) + " ulp";
     };

@@ -16,7 +16,7 @@
 namespace parity {
 
 /// Results of a probe. An empty optional was not probed: the dialect or the implementation lacks the feature.
-struct arithmetic {
+struct observed_arithmetic {
     /// Whether the compiler changes an expression: as it stands, and in a `precise` variable. Dialects without
     /// `precise` give both the same.
     struct liberty {
@@ -45,9 +45,9 @@ struct arithmetic {
 };
 
 /// @throws std::runtime_error   with the compiler's words
-[[nodiscard]] arithmetic probe(backend& b, dialect d);
+[[nodiscard]] observed_arithmetic probe(backend& b, dialect d);
 
 /// One line of text per property.
-[[nodiscard]] std::vector<std::string> described(const arithmetic& a);
+[[nodiscard]] std::vector<std::string> described(const observed_arithmetic& a);
 
 }  // namespace parity

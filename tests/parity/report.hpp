@@ -16,8 +16,8 @@ namespace parity {
 struct report {
     identity of{};
     std::vector<std::string> dialects{};
-    std::string probed_in{};             ///< the dialect of the probe
-    std::optional<arithmetic> probed{};  ///< empty: `unprobed` says why
+    std::string probed_in{};                      ///< the dialect of the probe
+    std::optional<observed_arithmetic> probed{};  ///< empty: `unprobed` says why
     std::string unprobed{};
     std::vector<row> rows{};
 };

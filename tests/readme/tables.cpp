@@ -77,17 +77,10 @@ std::vector<family> families() {
     return all;
 }
 
-std::string tier_of(const glsl::snippet& s) {
-    if (s.exactness == glsl::tier::a) return "A";
-    if (s.exactness == glsl::tier::b) return "B";
-    if (s.within > 0.0f) return "C, 1/" + std::to_string(static_cast<int>(1.0f / s.within));
-    return "C, " + std::to_string(s.ulp) + " ulp";
-}
-
 std::string primitives() {
     std::string table = "| primitive | what it does | tier | lowest GLSL |\n|---|---|---|---|\n";
     for (const family& f : families())
-        table += "| " + f.label() + " | " + std::string(f.first->summary) + " | " + tier_of(*f.first) +
+        table += "| " + f.label() + " | " + std::string(f.first->summary) + " | " + glsl::promise(*f.first) +
                  (f.first->lowest == glsl::version::v100 ? " | 100 |\n" : " | 330, 300 es |\n");
     return table;
 }
@@ -125,7 +118,7 @@ std::string filters() {
     umbrage::for_each_filter([&](const auto& f) {
         const glsl::snippet& s = *f.snippet;
         table += "| " + code(f.name) + " | " + code("umbrage_" + std::string(s.name)) + " | " + std::string(s.summary) +
-                 " | " + decimal(f.reach()) + " | " + tier_of(s) + " |\n";
+                 " | " + decimal(f.reach()) + " | " + glsl::promise(s) + " |\n";
     });
     return table;
 }

@@ -40,7 +40,7 @@ inline constexpr T snapping_reach = T(1) / T(128);
 /// @formula       reach (|slope.x| + |slope.y|) + error + 2^-23, the last for rounding in binary32 of depth once it is
 ///                there; what a matrix in floats lost of it before, some 2^-22 of a z/w near 1, is to be added to error
 /// @detaches      casters nearer to the receiver than detachment() lose their shadow
-/// @exactness     B
+/// @exactness     B, n = 4
 template <real T>
 [[nodiscard]] constexpr T acne_free_bias(glm::vec<2, T> slope, T reach, T error) {
     const T sum = (slope.x < T(0) ? -slope.x : slope.x) + (slope.y < T(0) ? -slope.y : slope.y);
@@ -54,7 +54,7 @@ template <real T>
 ///                       half a texel, and 1/128 for the points' rounding, farther
 /// @return               0 .. 1; 1 for what is infinite, and for NaN
 /// @formula              radius |slope| + (1/2 + 1/128) (|slope.x| + |slope.y|) + error + 2^-23
-/// @exactness            C: a square root, of which GLSL allows a few ulp; 0 seen
+/// @exactness            C, n = 13: a square root, of which GLSL allows a few ulp; 0 seen
 template <real T>
 [[nodiscard]] T acne_free_disc_bias(glm::vec<2, T> slope, T radius, T error) {
     const T sum = std::abs(slope.x) + std::abs(slope.y);
@@ -83,7 +83,7 @@ template <real T>
 /// @formula              bias + reach (|caster_slope.x| + |caster_slope.y|) + 2^-23. On a floor beside a wall that
 ///                       stands square to it light leaks in for bias sin(t), t between the floor's normal and the
 ///                       light: in world units at most sqrt(2) reach texel tan(t) sin(t)
-/// @exactness            B
+/// @exactness            B, n = 4
 template <real T>
 [[nodiscard]] constexpr T detachment(T bias, glm::vec<2, T> caster_slope, T reach) {
     return acne_free_bias(caster_slope, reach, bias);
@@ -95,6 +95,7 @@ inline constexpr snippet acne_free_bias{
     .name = "acne_free_bias",
     .summary = "smallest bias without acne, for a slope, a reach and an encoding's error",
     .exactness = tier::b,
+    .operations = 4,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
 // umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
@@ -113,7 +114,7 @@ inline constexpr snippet acne_free_disc_bias{
     .name = "acne_free_disc_bias",
     .summary = "smallest bias without acne, for filters that read a disc",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 13,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
 // umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
@@ -134,6 +135,7 @@ inline constexpr snippet detachment{
     .name = "detachment",
     .summary = "depth before a receiver within which its bias loses a caster's shadow",
     .exactness = tier::b,
+    .operations = 4,
     .needs = list<&acne_free_bias>,
     .source = R"GLSL(
 // umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0

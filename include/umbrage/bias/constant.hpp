@@ -28,7 +28,7 @@ template <real T>
 /// @param is_lit     less_equal, greater_equal or comparison: the filter's own
 /// @return           the receiver that a filter compares
 /// @formula          receiver - bias; receiver + bias where depth is reversed
-/// @exactness        B: one sum
+/// @exactness        B, n = 1: one sum
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr T biased(T receiver, T bias, const Compare& is_lit = {}) {
     constexpr T beyond(0x1p64);
@@ -55,6 +55,7 @@ inline constexpr snippet biased{
     .name = "biased",
     .summary = "receiver moved towards the light",
     .exactness = tier::b,
+    .operations = 1,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none

@@ -92,7 +92,7 @@ template <real T>
 /// @param w       of the point's shadow_coordinate
 /// @return        2^-64 to 2^64; 0 for what is not, as for w <= 0, and for NaN
 /// @formula       texels units.x w
-/// @exactness     B: two products
+/// @exactness     B, n = 2: two products
 template <real T>
 [[nodiscard]] constexpr T texels_to_world(T texels, glm::vec<2, T> units, T w) {
     const T world = texels * units.x * w;
@@ -106,7 +106,7 @@ template <real T>
 /// @return        0 .. 1; 1 for w = 0 and for NaN
 /// @formula       world units.y / w^2: the slope of z/w at the point; what lies nearer to a spot changes by more, so
 ///                that a point moved towards it by `world` has w / (w - world) times that, which covers a bias
-/// @exactness     C: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 5: one division, of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr T world_to_depth(T world, glm::vec<2, T> units, T w) {
     return clamp_bias(world * units.y / (w * w));
@@ -118,6 +118,7 @@ inline constexpr snippet texels_to_world{
     .name = "texels_to_world",
     .summary = "texels across a light as world units",
     .exactness = tier::b,
+    .operations = 2,
     .source = R"GLSL(
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -133,7 +134,7 @@ inline constexpr snippet world_to_depth{
     .name = "world_to_depth",
     .summary = "world units along a light as depth",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 5,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
 // umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0

@@ -34,7 +34,7 @@ namespace umbrage {
 ///                 than 2^-10, so that nothing is known of the slope; and for NaN
 /// @formula        by Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096,
 ///                 with s / |determinant|, s the sum of the four magnitudes, for 1 / least texels a pixel
-/// @exactness      C: divisions, of each of which GLSL allows 2.5 ulp
+/// @exactness      C, n = 31: divisions, of each of which GLSL allows 2.5 ulp
 /// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> receiver_plane(glm::vec<3, T> dx, glm::vec<3, T> dy) {
@@ -58,7 +58,7 @@ template <real T>
 /// @param far      the cleared depth: 1, or 0 where depth is reversed
 /// @return         what to compare with the receiver; a cleared texel, and what is nearer than 2^-64 to one, stays
 /// @formula        stored - slope . (texel + 1/2 - coord)
-/// @exactness      B
+/// @exactness      B, n = 8
 template <real T>
 [[nodiscard]] constexpr T on_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord, glm::vec<2, T> texel,
                                             T far = T(1)) {
@@ -85,7 +85,7 @@ inline constexpr snippet receiver_plane{
     .name = "receiver_plane",
     .summary = "slope of a receiver's plane from derivatives, and how far it may be off",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 31,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
 // umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
@@ -110,6 +110,7 @@ inline constexpr snippet on_receiver_plane{
     .name = "on_receiver_plane",
     .summary = "stored depth moved along the receiver's plane to the receiver",
     .exactness = tier::b,
+    .operations = 8,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared

@@ -54,7 +54,7 @@ template <real T>
 /// @param world          a point on the plane
 /// @return               slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on and for NaN
 /// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
-/// @exactness            C: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness            C, n = 27: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                    glm::vec<3, T> world) {
@@ -74,7 +74,7 @@ template <real T>
 /// @return           0 .. 1; 1 for NaN
 /// @formula          factor max(|slope.x|, |slope.y|) + base; with a factor of twice a filter's reach it is at
 ///                   least acne_free_bias, as |slope.x| + |slope.y| <= 2 max(|slope.x|, |slope.y|)
-/// @exactness        B
+/// @exactness        B, n = 2
 template <real T>
 [[nodiscard]] constexpr T slope_bias(glm::vec<2, T> slope, T factor, T base) {
     const T x = clamp_bias(factor * (slope.x < T(0) ? -slope.x : slope.x) + base);
@@ -100,7 +100,7 @@ inline constexpr snippet plane_slope{
     .name = "plane_slope",
     .summary = "change of a plane's depth from texel to texel",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 27,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
 // umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
@@ -119,6 +119,7 @@ inline constexpr snippet slope_bias{
     .name = "slope_bias",
     .summary = "bias by the greater slope, as rasterizers have it",
     .exactness = tier::b,
+    .operations = 2,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
 // umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0

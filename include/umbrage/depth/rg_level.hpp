@@ -22,7 +22,7 @@ namespace umbrage {
 /// @param c       the two channels of encode_rg<Bits> as sampled, k / 255
 /// @return        x / 255, x the code; with Bits = 11, eight times decode_ps14
 /// @formula       r + 2^(Bits - 8) g
-/// @exactness     B: one rounded addition, of an exact product
+/// @exactness     B, n = 4: one rounded addition, of an exact product
 template <int Bits, real T>
 [[nodiscard]] constexpr T level_rg(glm::vec<2, T> c) {
     static_assert(Bits >= 9 && Bits <= 16);
@@ -35,7 +35,7 @@ template <int Bits, real T>
 /// @return        receiver_rg(depth, edge) <= level_rg(c) exactly when depth <= decode_rg(c, edge), for texels c within
 ///                2^-18 of k / 255. For less_equal_scaled only, not for reversed Z.
 /// @formula       depth > 1 ? -1 : (ceil(depth 2^Bits - edge) - 1/2) / 255
-/// @exactness     B: products and sums round once each; the test that it is made for is exact
+/// @exactness     B, n = 2: products and sums round once each; the test that it is made for is exact
 template <int Bits, real T>
 [[nodiscard]] T receiver_rg(T depth, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
@@ -62,6 +62,7 @@ template <int Bits>
 inline constexpr snippet level_rg{.name = level_rg_name<Bits>.view(),
                                   .summary = "two channels to a level to compare with",
                                   .exactness = tier::b,
+                                  .operations = 4,
                                   .scaled = true,
                                   .source = level_rg_text<Bits>};
 
@@ -83,6 +84,7 @@ template <int Bits>
 inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
                                      .summary = "receiver to a level, for maps that are not decoded",
                                      .exactness = tier::b,
+                                     .operations = 2,
                                      .source = receiver_rg_text<Bits>};
 
 /// Of the members named: texts are filled in where they are asked for.

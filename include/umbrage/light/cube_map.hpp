@@ -88,7 +88,7 @@ template <real T>
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
 /// @formula           s = (sc + m) / 2m, t = (tc + m) / 2m, of cube_plane and m = cube_view_z
-/// @exactness         C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness         C, n = 5: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = cube_plane(direction);
@@ -99,7 +99,7 @@ template <real T>
 /// The direction to a point of a face: cube_coordinate's inverse.
 /// @param face   0 .. 5;   st  from 0 to 1 over the face
 /// @return       its greatest component is 1 or -1
-/// @exactness    B: 2 s - 1 rounds once
+/// @exactness    B, n = 2: 2 s - 1 rounds once
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
     return cube_point(face, glm::vec<3, T>(st.x * T(2) - T(1), st.y * T(2) - T(1), T(1)));
@@ -198,7 +198,7 @@ inline constexpr snippet cube_coordinate{
     .name = "cube_coordinate",
     .summary = "face, and where on it, that a direction meets",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 5,
     .needs = list<&cube_view_z, &cube_plane>,
     .source = R"GLSL(
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
@@ -214,6 +214,7 @@ inline constexpr snippet cube_direction{
     .name = "cube_direction",
     .summary = "direction to a point of a cube's face",
     .exactness = tier::b,
+    .operations = 2,
     .needs = list<&cube_point>,
     .source = R"GLSL(
 // umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face

@@ -32,7 +32,7 @@ template <real T>
 /// @param direction   of any length
 /// @return            0 .. 3; some for NaN
 /// @formula           of the first two where |z| - |x| >= sqrt(2) y, of either two by the sign of z or x
-/// @exactness         B
+/// @exactness         B, n = 1
 /// @cite              Liao: Shadow Mapping for Omnidirectional Light Using Tetrahedron Mapping, GPU Pro, 2010
 template <real T>
 [[nodiscard]] constexpr int tetrahedron_face(glm::vec<3, T> direction) {
@@ -45,7 +45,7 @@ template <real T>
 /// A direction in its face's own axes.
 /// @return        (aside, up, away): along the face's base, to the right for who looks along the face with its apex
 ///                above; up in the world, of faces 2 and 3 down; away from the other face of the same two, >= 0
-/// @exactness     B: tetrahedron_face, then selects
+/// @exactness     B, n = 1: tetrahedron_face, then selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_plane(glm::vec<3, T> direction) {
     const int face = tetrahedron_face(direction);
@@ -56,7 +56,7 @@ template <real T>
 
 /// Distance to a direction's end along the normal of the face that it meets: what per-face depths are made of.
 /// @formula       sqrt(2/3) away - sqrt(1/3) up
-/// @exactness     B
+/// @exactness     B, n = 3
 template <real T>
 [[nodiscard]] constexpr T tetrahedron_view_z(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = tetrahedron_plane(direction);
@@ -67,7 +67,7 @@ template <real T>
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): t from 0 at the base to 1 at the apex, |s| <= 1 - t
 /// @formula           s = aside / d, t = away / d, d = 2 away - sqrt(2) up
-/// @exactness         C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness         C, n = 6: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_coordinate(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = tetrahedron_plane(direction);
@@ -80,7 +80,7 @@ template <real T>
 /// @return         texels; face 0's base is the first row, 1's the last, 2's the last column, 3's the first
 /// @formula        of face 0 (h + (h - 3 b) s, b + (h - 3 b) t), h = size / 2: b texels aside in x and in y are 3 b on
 ///                 a base from its corners and 2 b at the apex; the other faces' turned by quarters
-/// @exactness      B
+/// @exactness      B, n = 9
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_texel(glm::vec<3, T> at, T size, T border) {
     const T half = size * T(0.5), scale = half - border * T(3);
@@ -106,6 +106,7 @@ inline constexpr snippet tetrahedron_face{
     .name = "tetrahedron_face",
     .summary = "face of a tetrahedron that a direction meets",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
@@ -122,6 +123,7 @@ inline constexpr snippet tetrahedron_plane{
     .name = "tetrahedron_plane",
     .summary = "a direction in its tetrahedron face's axes",
     .exactness = tier::b,
+    .operations = 1,
     .needs = list<&tetrahedron_face>,
     .source = R"GLSL(
 // umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
@@ -139,6 +141,7 @@ inline constexpr snippet tetrahedron_view_z{
     .name = "tetrahedron_view_z",
     .summary = "distance along the normal of the tetrahedron's face that a direction meets",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&tetrahedron_plane>,
     .source = R"GLSL(
 // umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
@@ -154,7 +157,7 @@ inline constexpr snippet tetrahedron_coordinate{
     .name = "tetrahedron_coordinate",
     .summary = "face of a tetrahedron, and where on it, that a direction meets",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 6,
     .needs = list<&tetrahedron_face, &tetrahedron_plane>,
     .source = R"GLSL(
 // umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
@@ -170,6 +173,7 @@ inline constexpr snippet tetrahedron_texel{
     .name = "tetrahedron_texel",
     .summary = "a point of a tetrahedron's face in the map",
     .exactness = tier::b,
+    .operations = 9,
     .source = R"GLSL(
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels

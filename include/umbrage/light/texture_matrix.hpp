@@ -96,7 +96,7 @@ template <real T>
 /// A world position through a texture matrix; the vertex shader's part.
 /// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
 ///                `precise` were seen to keep, where they move m[3] forward from the end
-/// @exactness     B
+/// @exactness     B, n = 6
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
     glm::vec<4, T> c(0);
@@ -109,7 +109,7 @@ template <real T>
 /// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
 /// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
 /// @formula            (x + offset.x w, y + offset.y w, z, w)
-/// @exactness          B
+/// @exactness          B, n = 2
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> tap_coordinate(glm::vec<4, T> coordinate, glm::vec<2, T> offset) {
     return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
@@ -118,7 +118,7 @@ template <real T>
 /// The division: what filters take.
 /// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
 ///                which every filter takes as lit
-/// @exactness     C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 3: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
     if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
@@ -131,6 +131,7 @@ inline constexpr snippet shadow_coordinate{
     .name = "shadow_coordinate",
     .summary = "world to texels and depth, before the division",
     .exactness = tier::b,
+    .operations = 6,
     .source = R"GLSL(
 // umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
 UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
@@ -144,6 +145,7 @@ inline constexpr snippet tap_coordinate{
     .name = "tap_coordinate",
     .summary = "a tap's coordinate from the middle's, before the division",
     .exactness = tier::b,
+    .operations = 2,
     .source = R"GLSL(
 // umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
 UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
@@ -157,7 +159,7 @@ inline constexpr snippet project_coordinate{
     .name = "project_coordinate",
     .summary = "the division by w, lit behind the light",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
 UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {

@@ -22,7 +22,7 @@ namespace umbrage {
 /// @return            1 inside the cone, 0 outside, at its apex, or for NaN
 /// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test,
 ///                    unnormalised
-/// @exactness         B
+/// @exactness         B, n = 11
 /// @cite              Microsoft DirectX SDK, ShadowMap sample
 template <real T>
 [[nodiscard]] constexpr T spot_cone(glm::vec<3, T> direction, glm::vec<3, T> to_point, T cos_outer) {
@@ -40,7 +40,7 @@ template <real T>
 /// @param n_dot_l      cosine between normal and direction to the light; from 0 down, and NaN: ambient light alone
 /// @param visibility   of the light, 1 lit
 /// @formula            albedo (visibility n_dot_l (1 - ambient) + ambient) for n_dot_l > 0, else albedo ambient
-/// @exactness          B
+/// @exactness          B, n = 5
 /// @cite               Microsoft DirectX SDK, ShadowMap sample
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, T ambient, T n_dot_l, T visibility) {
@@ -54,6 +54,7 @@ inline constexpr snippet spot_cone{
     .name = "spot_cone",
     .summary = "1 inside a spot light's cone",
     .exactness = tier::b,
+    .operations = 11,
     .source = R"GLSL(
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -74,6 +75,7 @@ inline constexpr snippet diffuse_ambient{
     .name = "diffuse_ambient",
     .summary = "diffuse plus ambient light of a surface",
     .exactness = tier::b,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,

@@ -72,7 +72,7 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 inline constexpr snippet sampled_depth{.name = "depth_at",
                                        .summary = "depth_at, sampled",
                                        .exactness = tier::c,
-                                       .ulp = 1,
+                                       .operations = 4,
                                        .needs = list<&decode>,
                                        .role = hook::chosen,
                                        .source = R"GLSL(

@@ -15,10 +15,14 @@
 namespace umbrage::glsl {
 
 /// How exactly a snippet and its C++ twin agree.
-///   a  bit for bit on every implementation: every intermediate is representable, so nothing can round
-///   b  bit for bit where + - * round to nearest in written order; a few ulp elsewhere
-///   c  within snippet::ulp units in the last place on every implementation tried: division, square root; or within
-///      snippet::within, where the hardware has weights of its own
+///   a  bit for bit on every implementation with 32-bit floats: no grouping of a sum rounds, or what it rounds is less
+///      than the margin of the floor or comparison that follows
+///   b  bit for bit where + - * round to nearest in written order; in any order, fused or not, within the bound
+///   c  within the bound on every implementation, or within snippet::within of C++
+/// The bound is n 2^-23 S from the result in real arithmetic. n is snippet::operations. S is the formula with every
+/// value's magnitude, at least 2^-103, and every minus a plus; a quotient a / b has S(a) S(b) / b^2. Where a comparison
+/// or floor decides, the bound is on what it decides about, and inside it either side is promised. There is no bound
+/// where S is above the greatest float.
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -104,8 +108,9 @@ struct snippet {
     literal name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
     literal summary{};  ///< one line
     tier exactness = tier::a;
-    int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
-    float within = 0.0f;             ///< tier c without ulp: greatest difference from the C++ twin
+    int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
+    float within = 0.0f;      ///< tier c without n: greatest difference from the C++ twin
+    bool as_written = false;  ///< `within` holds where + - * round to nearest in written order, no bound elsewhere
     version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     snippet_span needs{};            ///< a list<>
     hook role = hook::none;
@@ -115,6 +120,16 @@ struct snippet {
     /// No two have one name.
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
+
+/// What a snippet promises in a word, e.g. "A", "B, n = 6", "C, 1/128".
+[[nodiscard]] inline std::string promise(const snippet& s) {
+    if (s.exactness == tier::a) return "A";
+    std::string text = s.exactness == tier::b ? "B, " : "C, ";
+    if (s.within > 0.0f)
+        text += "1/" + std::to_string(static_cast<int>(1.0f / s.within)) + (s.as_written ? " as written" : "");
+    else text += "n = " + std::to_string(s.operations);
+    return text;
+}
 
 /// Those that one needs.
 template <const snippet*... Snippets>

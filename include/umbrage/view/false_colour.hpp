@@ -16,7 +16,7 @@ namespace umbrage {
 /// @param v       clamped to [0, 1]; NaN counts as far
 /// @return        RGB in [0, 1]; brightness ramps up at both ends: 0 is dark blue, 1 dark red
 /// @formula       3/2 - |4 v - c|, clamped, with c = 3, 2, 1 for red, green, blue
-/// @exactness     B: one rounded difference a channel
+/// @exactness     B, n = 3: one rounded difference a channel
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> false_colour(T v, T far = T(1)) {
     const T x = saturate(v, far) * T(4);
@@ -33,6 +33,7 @@ inline constexpr snippet false_colour{
     .name = "false_colour",
     .summary = "0..1 to blue, green, red",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_false_colour: blue for 0.0, through green, to red for 1.0

@@ -108,19 +108,20 @@ public:
     }
 
     /// Something is decided about a number; `margin` from it, it would be decided otherwise.
-    void decide(double margin, double bound, bool as_in_reals) {
+    void decide(double margin, double bound, double operations, bool as_in_reals) {
         if (!as_in_reals) ++out_.either_side;
         if (bound == 0.0) return;
+        out_.operations = std::max(out_.operations, operations);
         if (margin <= bound) ++out_.unproven;
         if (margin / bound >= out_.least_margin) return;
         out_.least_margin = margin / bound, out_.margin = margin, out_.error = bound;
     }
 
 private:
-    enum operations : std::uint8_t { leaf, minus, plus, times };
+    enum kinds : std::uint8_t { leaf, minus, plus, times };
     static constexpr int most_listed = 5;
     struct node {
-        operations operation = leaf;
+        kinds operation = leaf;
         std::uint32_t a = 0, b = 0;
         float value = 0.0f;
         bool done = false;
@@ -377,7 +378,7 @@ number whole(number v, Whole to) {
     // no rounding makes a positive number negative: it stays on its side of zero
     const double margin =
         next == 0.0 && k.keeps_sign && to(0.5 * real) == to(0.0) ? 1.0 - std::abs(real) : std::abs(real - next);
-    all.decide(margin, k.bound(), double(value) == to(real) || !std::isfinite(value));
+    all.decide(margin, k.bound(), k.operations, double(value) == to(real) || !std::isfinite(value));
     return all.exact(value);
 }
 
@@ -391,7 +392,8 @@ bool decide(number a, number b, Order order) {
     const bool of_read = (all.is_argument(a) && !i.exact) || (all.is_argument(b) && !j.exact);
     if (of_read && is != order(i.real, j.real)) ++all.out().reads_decided;  // no arithmetic, no proof
     if (std::isfinite(i.real) && std::isfinite(j.real) && !of_read)
-        all.decide(std::abs(i.real - j.real), i.bound() + j.bound(), is == order(i.real, j.real));
+        all.decide(std::abs(i.real - j.real), i.bound() + j.bound(), std::max(i.operations, j.operations),
+                   is == order(i.real, j.real));
     return is;
 }
 
@@ -500,12 +502,12 @@ number stored(number v, unorm_store by) {
     };
     if (all.by().stores_either) return scaled > low && all.draw().below(2) ? float(low + 1.0) : float(low);
     const double real = k.real * 255.0 + (by == unorm_store::rounds ? 0.5 : 0.0);
-    all.decide(std::abs(real - std::round(real)), 255.0 * k.bound(), code(scaled) == code(k.real * 255.0));
+    all.decide(std::abs(real - std::round(real)), 255.0 * k.bound(), k.operations,
+               code(scaled) == code(k.real * 255.0));
     return static_cast<float>(code(scaled));
 }
 number made(float v, double real, double error) { return inexact(v, real, error / unit, 1.0); }
 int drawn(int n) { return all.draw().below(n); }
-void decided(bool as_in_reals) { all.decide(0.0, 0.0, as_in_reals); }
 bool is_literal(number v) { return all.is_literal(v); }
 bool is_nan(number v) { return std::isnan(v.value()); }
 bool is_argument(number v) { return all.is_argument(v); }

@@ -41,6 +41,7 @@ struct outcome {
     int either_side = 0;        ///< comparisons and floors that real arithmetic decides otherwise
     int reads_decided = 0;      ///< of these, those of a texel as it was read
     int out_of_bound = 0;       ///< values farther from the real ones than their bound
+    double operations = 0.0;    ///< greatest n of what was decided about
     int unproven = 0;           ///< comparisons and floors whose margin is not above the bound of what they decide
     double least_margin = std::numeric_limits<double>::infinity();  ///< of those with an error, as a multiple of it
     double margin = 0.0, error = 0.0;                               ///< of that one
@@ -112,8 +113,6 @@ enum class unorm_store { rounds, truncates };
 [[nodiscard]] number made(float v, double real, double error);
 /// Draws one of n by the seed.
 [[nodiscard]] int drawn(int n);
-/// A decision taken by hardware on its own.
-void decided(bool as_in_reals);
 
 /// What is known of a number beside its value.
 struct knowledge {

@@ -65,9 +65,12 @@ bool is_visibility(const entry& e) {
 }
 
 promise promise_of(const entry& e, const rules& by) {
-    promise p{worst_tier(e), e.primitive->within};
+    promise p{.exactness = worst_tier(e)};
     for (const snippet& s : e.snippets())
-        each_snippet(s, [&](const snippet& one) { p.within = std::max(p.within, double(one.within)); });
+        each_snippet(s, [&](const snippet& one) {
+            p.within = std::max(p.within, double(one.within));
+            p.as_written = p.as_written || one.as_written;
+        });
     if (by.sub_texel_bits > 0 && e.primitive->within == 1.0f / 128.0f)
         p.within = std::ldexp(1.0, 1 - by.sub_texel_bits);
     return p;
@@ -102,6 +105,26 @@ void count::add(const count& o) {
         this->*member = std::max(this->*member, o.*member);
 }
 
+bool allows(const caller& run, std::size_t input, const vec4& result) {
+    const entry& e = *run.inputs().what;
+    if (worst_tier(e) == tier::a) return false;
+    const promise p = promise_of(e, {});
+    constexpr int seeds = 32;  // enough for what is decided within its bound to be decided both ways
+    for (const setting& in : {arithmetics[0], fused_and_rounded})
+        for (int seed = 0; seed < (in.by.fuses ? seeds : 1); ++seed) {
+            const call got = run(input, in.by, std::uint64_t(seed));
+            const outcome& o = got.what;
+            if (p.as_written || o.unbounded || o.out_of_range || o.not_finite) return true;
+            bool near = true;
+            for (int c = 0; c < 4; ++c) {
+                const knowledge& r = got.results[std::size_t(c)];
+                near = near && std::abs(double(result[c]) - r.real) <= std::max(r.bound(), p.within);
+            }
+            if (near) return true;
+        }
+    return false;
+}
+
 count try_entry(const entry& e, const rules& by, std::size_t inputs, const promise& p) {
     count all;
     const bool visibility = is_visibility(e), corrects = corrects_its_floors(e);
@@ -116,6 +139,7 @@ count try_entry(const entry& e, const rules& by, std::size_t inputs, const promi
             all.groupings += o.groupings, all.rewrites += o.rewrites;
             const bool flushes = by.flushes_inputs || by.flushes_results;
             bool same = true, in_bound = true, exact = true;
+            double share = 0.0;  // of the bound
             for (int c = 0; c < 4; ++c) {
                 const knowledge& r = got.results[std::size_t(c)];
                 const double difference = std::abs(double(r.value) - double(twin[c])),
@@ -132,24 +156,26 @@ count try_entry(const entry& e, const rules& by, std::size_t inputs, const promi
                 if (o.denormal || o.not_finite || o.out_of_range || (o.unbounded && p.within == 0.0)) continue;
                 all.operations = std::max(all.operations, r.exact ? 0.0 : r.operations);
                 if (o.either_side == 0) all.worst_difference = std::max(all.worst_difference, difference);
-                if (p.within > 0.0)
-                    all.worst_share = std::max(all.worst_share, (follows ? difference : off) / p.within);
-                else if (r.bound() > 0.0) all.worst_share = std::max(all.worst_share, off / r.bound());
+                if (p.within > 0.0) share = std::max(share, (follows ? difference : off) / p.within);
+                else if (r.bound() > 0.0) share = std::max(share, off / r.bound());
             }
             const bool plain = !o.denormal && !o.not_finite;
+            if (plain && !o.out_of_range && !o.unbounded) all.operations = std::max(all.operations, o.operations);
             if (plain && p.exactness == tier::a) {
                 if (!exact || (o.unproven > 0 && !corrects)) ++all.unproven;
                 if (o.least_margin < all.least_margin && !corrects)
                     all.least_margin = o.least_margin, all.margin = o.margin, all.error = o.error;
             }
-            const bool in_written_order = !by.fuses && !by.reorders && by.rounding == rules::nearest && !flushes &&
-                                          !by.is_inaccurate && !by.assumes_finite && !by.reads_beside &&
-                                          !by.reads_halves && !by.stores_either && by.sub_texel_bits == 0;
+            const bool keeps_no_order = by.fuses || by.reorders || by.rounding != rules::nearest;
+            const bool in_written_order = !keeps_no_order && !flushes && !by.is_inaccurate && !by.assumes_finite &&
+                                          !by.reads_beside && !by.reads_halves && !by.stores_either &&
+                                          by.sub_texel_bits == 0;
             bool broken = false;
             if (same) {
                 ++all.identical;
                 continue;
             }
+            all.worst_share = std::max(all.worst_share, share);
             if (o.not_finite && by.assumes_finite) ++all.not_finite;
             else if (o.denormal && flushes) ++all.denormal;
             else if (p.exactness == tier::a && o.reads_decided > 0) ++all.either_side;
@@ -157,7 +183,7 @@ count try_entry(const entry& e, const rules& by, std::size_t inputs, const promi
             else if (p.exactness == tier::b && in_written_order) broken = true;
             else if (o.not_finite) ++all.not_finite;
             else if (o.out_of_range) ++all.out_of_range;
-            else if (o.unbounded && p.within == 0.0) ++all.unbounded;
+            else if ((o.unbounded && p.within == 0.0) || (p.as_written && keeps_no_order)) ++all.unbounded;
             else if (!in_bound || (p.within == 0.0 && o.out_of_bound > 0)) broken = true;
             else ++(o.either_side ? all.either_side : all.in_bound);
             if (!broken) continue;

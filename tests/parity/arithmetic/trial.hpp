@@ -26,6 +26,7 @@ struct call {
 class caller {
 public:
     explicit caller(const job& j);
+    [[nodiscard]] const job& inputs() const { return job_; }
     [[nodiscard]] call operator()(std::size_t input, const rules& by, std::uint64_t seed) const;
 
 private:
@@ -33,6 +34,10 @@ private:
     std::vector<filled_texture> textures_;
     std::array<const filled_texture*, max_textures> by_unit_{};
 };
+
+/// Whether the tier of a call's entry allows this result: what some order, fusing and rounding can give, or what lies
+/// within the bound after the same decisions.
+[[nodiscard]] bool allows(const caller& run, std::size_t input, const vec4& result);
 
 /// The worst tier of all that an entry's text holds.
 [[nodiscard]] tier worst_tier(const entry& e);
@@ -42,8 +47,9 @@ private:
 /// A promise to hold an entry to; by default its own.
 struct promise {
     tier exactness = tier::a;
-    double within = 0.0;  ///< tier C: greatest difference; 0: the bound n 2^-23 S
-    double share = 1.0;   ///< of the bound that is allowed: a fault, where below 1
+    bool as_written = false;  ///< `within` holds in the written order, rounded to nearest, alone
+    double within = 0.0;      ///< tier C: greatest difference; 0: the bound n 2^-23 S
+    double share = 1.0;       ///< of the bound that is allowed: a fault, where below 1
 };
 [[nodiscard]] promise promise_of(const entry& e, const rules& by);
 

@@ -169,7 +169,8 @@ TEST_CASE("registry: names tell snippets apart, and whatever one needs is there 
         CAPTURE(s->name);
         CHECK(names.insert(s->name).second);
         CHECK_FALSE(s->summary.empty());
-        CHECK((s->exactness == tier::c ? s->ulp > 0 || s->within > 0.0f : s->ulp == 0 && s->within == 0.0f));
+        CHECK((s->exactness == tier::a ? s->operations == 0 && s->within == 0.0f
+                                       : (s->operations > 0) != (s->exactness == tier::c && s->within > 0.0f)));
         CHECK(count(s->source.str(), "umbrage_" + std::string(s->name) + "(") > 0);
         CHECK(count(s->source.str(), "// umbrage_" + std::string(s->name) + ":") ==
               1);  // a copied text explains itself

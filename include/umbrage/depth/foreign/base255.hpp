@@ -25,7 +25,7 @@ namespace umbrage {
 /// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, a fault
 /// @return        UNORM values
 /// @formula       e_i = fract(255^i depth), each less 1/255 of the next
-/// @exactness     B
+/// @exactness     B, n = 6
 /// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_base255(T depth, T far = T(1)) {
@@ -40,7 +40,7 @@ template <real T>
 
 /// @param c      as sampled
 /// @formula      R + G/255 + B/255^2 + A/255^3
-/// @exactness    B
+/// @exactness    B, n = 6
 template <real T>
 [[nodiscard]] constexpr T decode_base255(glm::vec<4, T> c) {
     return c.x + c.y * T(1.0 / 255.0) + c.z * T(1.0 / 65025.0) + c.w * T(1.0 / 16581375.0);
@@ -48,7 +48,7 @@ template <real T>
 
 /// A writer without the faults, for decode_base255 on the other side: the digits of depth in base 255.
 /// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
-/// @exactness     B
+/// @exactness     B, n = 7
 template <real T>
 [[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T far = T(1)) {
     T rest = saturate(depth, far) * T(255);
@@ -67,6 +67,7 @@ inline constexpr snippet write_base255{
     .name = "write_base255",
     .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
     .exactness = tier::b,
+    .operations = 6,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
@@ -86,6 +87,7 @@ inline constexpr snippet decode_base255{
     .name = "decode_base255",
     .summary = "base-255 RGBA to depth",
     .exactness = tier::b,
+    .operations = 6,
     .source = R"GLSL(
 // umbrage_decode_base255: base-255 RGBA, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
@@ -100,6 +102,7 @@ inline constexpr snippet encode_base255_repaired{
     .name = "encode_base255_repaired",
     .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
     .exactness = tier::b,
+    .operations = 7,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;

@@ -17,7 +17,7 @@ namespace umbrage {
 /// @param c      the two channels of encode_rg<11> as sampled, k / 255
 /// @return       x / 2040, in [0, 2047 / 2040]
 /// @formula      r / 8 + g
-/// @exactness    B: one rounded addition
+/// @exactness    B, n = 4: one rounded addition
 /// @cite         ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
 template <real T>
 [[nodiscard]] constexpr T decode_ps14(glm::vec<2, T> c) {
@@ -27,7 +27,7 @@ template <real T>
 /// A depth on the scale of decode_ps14, for less_equal_scaled.
 /// @param depth   not clamped; beyond the far plane: -1, which every texel lights
 /// @formula       depth > 1 ? -1 : depth * 256 / 255
-/// @exactness     B: one product with the rounded quotient
+/// @exactness     B, n = 1: one product with the rounded quotient
 template <real T>
 [[nodiscard]] constexpr T receiver_ps14(T depth) {
     return less_equal::beyond_far(depth) ? T(-1) : depth * T(256.0 / 255.0);
@@ -39,6 +39,7 @@ inline constexpr snippet decode_ps14{
     .name = "decode_ps14",
     .summary = "r / 8 + g as the Radeon 8500 computed it",
     .exactness = tier::b,
+    .operations = 4,
     .scaled = true,
     .source = R"GLSL(
 // umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
@@ -53,6 +54,7 @@ inline constexpr snippet receiver_ps14{
     .name = "receiver_ps14",
     .summary = "receiver on the scale of decode_ps14",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
 //   lights

@@ -30,7 +30,7 @@ namespace umbrage {
 /// Three whole bytes, R most significant, and the fraction that is left in A.
 /// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed; 1 gives all ones
 /// @return        UNORM values
-/// @exactness     B
+/// @exactness     B, n = 5
 /// @cite          three.js r167 and later, packing chunk (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T far = T(1)) {
@@ -46,7 +46,7 @@ template <real T>
 
 /// @param c      as sampled
 /// @formula      255/256 (R + G/2^8 + B/2^16) + A/2^24
-/// @exactness    B
+/// @exactness    B, n = 7
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_rgba(glm::vec<4, T> c) {
     return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
@@ -91,6 +91,7 @@ inline constexpr snippet write_threejs_rgba{
     .name = "write_threejs_rgba",
     .summary = "depth to three.js RGBA, r167 and later",
     .exactness = tier::b,
+    .operations = 5,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
@@ -112,6 +113,7 @@ inline constexpr snippet decode_threejs_rgba{
     .name = "decode_threejs_rgba",
     .summary = "three.js RGBA, r167 and later, to depth",
     .exactness = tier::b,
+    .operations = 7,
     .source = R"GLSL(
 // umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
@@ -126,6 +128,7 @@ inline constexpr snippet write_threejs_rgb{
     .name = "write_threejs_rgb",
     .summary = "depth to three.js RGB, r167 and later",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
@@ -144,6 +147,7 @@ inline constexpr snippet decode_threejs_rgb{
     .name = "decode_threejs_rgb",
     .summary = "three.js RGB, r167 and later, to depth",
     .exactness = tier::b,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
@@ -158,6 +162,7 @@ inline constexpr snippet write_threejs_rg{
     .name = "write_threejs_rg",
     .summary = "depth to three.js RG, r167 and later",
     .exactness = tier::b,
+    .operations = 1,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
@@ -174,6 +179,7 @@ inline constexpr snippet decode_threejs_rg{
     .name = "decode_threejs_rg",
     .summary = "three.js RG, r167 and later, to depth",
     .exactness = tier::b,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {

@@ -26,7 +26,7 @@ namespace umbrage {
 
 /// The layout of r73 to r166: A most significant, channels scaled by 256/255.
 /// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
-/// @exactness     B
+/// @exactness     B, n = 7
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T far = T(1)) {
@@ -63,6 +63,7 @@ inline constexpr snippet write_threejs_legacy{
     .name = "write_threejs_legacy",
     .summary = "depth to three.js RGBA, r73 to r166",
     .exactness = tier::b,
+    .operations = 7,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
@@ -82,6 +83,7 @@ inline constexpr snippet decode_threejs_legacy{
     .name = "decode_threejs_legacy",
     .summary = "three.js RGBA, r73 to r166, to depth",
     .exactness = tier::b,
+    .operations = 7,
     .source = R"GLSL(
 // umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {

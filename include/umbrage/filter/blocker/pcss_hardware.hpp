@@ -27,7 +27,7 @@ namespace umbrage {
 
 /// What of a point of the map lies before a receiver.
 /// @return        (1, depth_at) where that is before the receiver, else (0, 0)
-/// @exactness     C, as depth_at
+/// @exactness     C, n = 4, as depth_at
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blocker_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver,
                                         Compare is_lit = {}) {
@@ -44,7 +44,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param turn       as disc_turn gives it
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
-/// @exactness        C, within an ulp in a shader, but at borders between texels, as depth_at
+/// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
                                                glm::vec<2, T> turn, Compare is_lit = {}) {
@@ -65,7 +65,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @param softness   of make_softness: (per_code, least, widest)
 /// @return           in texels, from least / 16 to widest / 16; the former for what is NaN
 /// @formula          |receiver - mean| 4096 per_code, clamped
-/// @exactness        C: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
+/// @exactness        C, n = 6: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr T pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<3, T> softness, Compare is_lit = {}) {
@@ -102,7 +102,7 @@ inline constexpr snippet blocker_at{
     .name = "blocker_at",
     .summary = "whether what a point of the map holds lies before a receiver, and its depth",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 4,
     .needs = list<&depth_at, &compare>,
     .source = R"GLSL(
 // umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
@@ -164,7 +164,7 @@ inline constexpr snippet blockers_hardware{
                : Points == 16 ? "the same at 16 points"
                               : "the same at 32 points",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 24,
     .needs = list<&is_compared, &blocker_at>,
     .source = {detail::blockers_hardware_text, Points}};
 

@@ -20,7 +20,7 @@ namespace umbrage {
 /// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
 /// @formula            mean of [receiver <= depth_at(tap)]
-/// @exactness          C, four_tap but at borders between texels, as depth_at
+/// @exactness          C, n = 39, four_tap but at borders between texels, as depth_at
 /// @cite               ATI Radeon SDK, ShadowMap sample, 2002
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T four_tap_hardware(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> a, glm::vec<2, T> b,
@@ -39,7 +39,7 @@ inline constexpr snippet four_tap_hardware{
     .name = "four_tap_hardware",
     .summary = "mean of four taps that a sampler of the nearest texel takes",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 39,
     .needs = list<&beyond_far, &compare, &depth_at>,
     .source = R"GLSL(
 // umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit

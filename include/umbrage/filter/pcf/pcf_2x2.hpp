@@ -44,7 +44,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param epsilon    in depth, added to the stored side of each comparison
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
-/// @exactness        B
+/// @exactness        B, n = 20
 /// @cite             Microsoft DirectX SDK, ShadowMap sample
 template <real T, class Fetch>
 [[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
@@ -91,6 +91,7 @@ inline constexpr snippet pcf_2x2_dx_sdk{
     .name = "pcf_2x2_dx_sdk",
     .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats",
     .exactness = tier::b,
+    .operations = 20,
     .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit

@@ -46,7 +46,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @return           visibility, the same on either side of an edge
 /// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
 ///                   to the nearest step, which is the same one from either side
-/// @exactness        C: a division, by 65536 but at corners, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness        C, n = 33: a division, by 65536 but at corners, of which GLSL allows 2.5 ulp; 0 seen
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> coord(at);
@@ -89,7 +89,7 @@ inline constexpr snippet pcf_2x2_cube{
     .name = "pcf_2x2_cube",
     .summary = "2 x 2 comparisons of a cube, over its edges too, bilinear weights",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 33,
     .needs = list<&is_compared, &cube_lit>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit

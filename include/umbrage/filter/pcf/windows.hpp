@@ -68,7 +68,7 @@ template <int Size, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T binomial(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return window(fetch, coord, receiver, binomial_row<Size>, is_lit);
 }
-/// @exactness   B: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
+/// @exactness   B, n = 80 or 138, S = 1: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
 /// @cite        Castano: Shadow mapping summary, part 1, 2013
 template <int Size, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T castano(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
@@ -178,6 +178,7 @@ template <int Size>
 inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
                                  .summary = Size == 5 ? "sliding window 1 3 4 3 1" : "sliding window 1 5 12 16 12 5 1",
                                  .exactness = tier::b,
+                                 .operations = Size == 5 ? 80 : 138,
                                  .needs = detail::window_needs<Size>,
                                  .source = {castano_text, Size}};
 

@@ -22,7 +22,7 @@ namespace umbrage {
 /// Depth that grows with the distance from the light, whichever way the map's does: prefiltered maps hold it.
 /// @param far       1, or 0 where depth is reversed
 /// @formula         1 - depth where depth is reversed, else depth
-/// @exactness       B
+/// @exactness       B, n = 1
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T forward_depth(T depth, T far = T(1)) {
     return detail::pick(far < T(0.5), T(1) - depth, depth);
@@ -36,8 +36,8 @@ template <real T>
 /// @return               visibility, 0 to 1; 0 where something is NaN, or where depths without variance lie before the
 ///                       receiver and min_variance is 0
 /// @formula              receiver <= m.x ? 1 : v / (v + (receiver - m.x)^2), v = max(m.y - m.x^2, min_variance)
-/// @exactness            C, 1 ulp: a division; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the formula
-///                       in reals
+/// @exactness            C, n = 11: a division; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the
+///                       formula in reals
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T chebyshev(glm::vec<2, T> m, T receiver, T min_variance) {
@@ -53,7 +53,7 @@ template <real T>
 /// darker and harder.
 /// @param amount      what becomes 0, 0 to 1; 0.2 is usual
 /// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
-/// @exactness         C, 1 ulp: a division
+/// @exactness         C, n = 5: a division
 template <real T>
 [[nodiscard]] constexpr T bleed_cut(T visibility, T amount) {
     const bool above = !is_nan(visibility) && !is_nan(amount) && visibility > amount;
@@ -66,6 +66,7 @@ inline constexpr snippet forward_depth{
     .name = "forward_depth",
     .summary = "depth that grows with distance",
     .exactness = tier::b,
+    .operations = 1,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
@@ -79,7 +80,7 @@ inline constexpr snippet chebyshev{
     .name = "chebyshev",
     .summary = "most that mean and variance let be lit",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 11,
     .source = R"GLSL(
 // umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
 //   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
@@ -99,7 +100,7 @@ inline constexpr snippet bleed_cut{
     .name = "bleed_cut",
     .summary = "visibility without its least values",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
 UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {

@@ -24,7 +24,7 @@ enum class float_store { half, single };
 /// @param exponent   -63 to 63
 /// @return           2^-exponent to 2^exponent
 /// @formula          exp2_polynomial(exponent (2 depth - 1))
-/// @exactness        B
+/// @exactness        B, n = 31
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T warp_depth(T depth, T exponent) {
     return exp2_polynomial(exponent * (depth * T(2) - T(1)));
@@ -33,7 +33,7 @@ template <real T>
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: 2^exponent
 /// @param exponent  0 to 63
 /// @formula         warp_depth(forward_depth)
-/// @exactness       B
+/// @exactness       B, n = 36
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T far = T(1)) {
     return warp_depth(forward_depth(saturate(depth, far), far), exponent);
@@ -43,8 +43,8 @@ template <real T>
 /// @param receiver  depth, biased; nearer than 0 is lit as 0 is; NaN is in shadow
 /// @return          visibility, 0 to 1, before bleed_cut: at least the lit share, less 2^-20
 /// @formula         min(m 2^(-exponent (2 d - 1)), 1), d = forward_depth(receiver)
-/// @exactness       B;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers, each off
-///                  by 1.8e-7 of it, and their product
+/// @exactness       B, n = 37;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers,
+///                  each off by 1.8e-7 of it, and their product
 /// @cite            Annen et al.: Exponential shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T far = T(1)) {
@@ -76,6 +76,7 @@ inline constexpr snippet warp_depth{
     .name = "warp_depth",
     .summary = "depth on the scale of exponential shadow maps",
     .exactness = tier::b,
+    .operations = 31,
     .needs = list<&exp2_polynomial>,
     .source = R"GLSL(
 // umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
@@ -90,6 +91,7 @@ inline constexpr snippet encode_esm{
     .name = "encode_esm",
     .summary = "depth to a texel of an exponential shadow map",
     .exactness = tier::b,
+    .operations = 36,
     .needs = list<&saturate, &forward_depth, &warp_depth>,
     .source = R"GLSL(
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
@@ -103,6 +105,7 @@ inline constexpr snippet decode_esm{
     .name = "decode_esm",
     .summary = "mean of texels of an exponential shadow map to visibility",
     .exactness = tier::b,
+    .operations = 37,
     .needs = list<&forward_depth, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit

@@ -22,7 +22,7 @@ namespace umbrage {
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does
 /// @param exponent  0 to 55
 /// @formula         (w, w^2), w = warp_depth(forward_depth)
-/// @exactness       B
+/// @exactness       B, n = 73
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T far = T(1)) {
     const T w = warp_depth(forward_depth(saturate(depth, far), far), exponent);
@@ -32,7 +32,7 @@ template <real T>
 /// @param depth      clamped to [0, 1]; NaN counts as far, as a cleared texel does
 /// @param exponents  of the growing power and of the falling one, 0 to 55
 /// @formula          (w, w^2, n, n^2), w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y)
-/// @exactness        B
+/// @exactness        B, n = 73
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents, T far = T(1)) {
     const T d = forward_depth(saturate(depth, far), far);
@@ -57,7 +57,7 @@ template <real T>
 ///                   2 ln(2) exponent, as make_evsm has it
 /// @return           visibility before bleed_cut: at least the lit share, less chebyshev's error
 /// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(saturate(receiver)))
-/// @exactness        C, 1 ulp: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
+/// @exactness        C, n = 229: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
 ///                   powers
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
@@ -74,7 +74,7 @@ template <real T>
 /// @param deviations  least standard deviations, as parts of the receiver's powers
 /// @return            visibility before bleed_cut: at least the lit share, less chebyshev's error
 /// @formula           the lesser of decode_evsm2's for either power
-/// @exactness         C, 1 ulp: a division
+/// @exactness         C, n = 229: a division
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                       glm::vec<2, T> deviations, T far = T(1)) {
@@ -127,6 +127,7 @@ inline constexpr snippet encode_evsm2{
     .name = "encode_evsm2",
     .summary = "depth to a texel of two components",
     .exactness = tier::b,
+    .operations = 73,
     .needs = list<&saturate, &forward_depth, &warp_depth>,
     .source = R"GLSL(
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
@@ -141,6 +142,7 @@ inline constexpr snippet encode_evsm4{
     .name = "encode_evsm4",
     .summary = "depth to a texel of four components",
     .exactness = tier::b,
+    .operations = 73,
     .needs = list<&saturate, &forward_depth, &warp_depth>,
     .source = R"GLSL(
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
@@ -157,7 +159,7 @@ inline constexpr snippet decode_evsm2{
     .name = "decode_evsm2",
     .summary = "mean of texels of two components to visibility",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 229,
     .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
@@ -179,7 +181,7 @@ inline constexpr snippet decode_evsm4{
     .name = "decode_evsm4",
     .summary = "mean of texels of four components to visibility",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 229,
     .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit

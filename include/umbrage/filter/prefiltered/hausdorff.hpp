@@ -25,8 +25,8 @@ namespace umbrage {
 ///                  -1 is ((1 + z) (d D + g (1 - b1)) - k) / (2 (1 + z) p), that at 1 has the sign of
 ///                  ((1 - z) (d D - g (1 + b1)) + k) q, that at f, which lies before the receiver where d > 0, is
 ///                  d^4 / (p q (x d - g)): interpolation's weights, of central moments, where few digits cancel
-/// @exactness       C: two divisions; which depths there are is decided without one. In binary32 off, to first order,
-///                  by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the absolute
+/// @exactness       C, n = 173: two divisions; which depths there are is decided without one. In binary32 off, to
+///                  first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the absolute
 ///                  coefficients of the polynomial of degree 4 whose mean is the share: 1 at -1, twice 0 at f, 0 at z
 ///                  and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1. Rounding up to d and g
 ///                  does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the share does not change with
@@ -78,6 +78,7 @@ inline constexpr snippet hausdorff_share{
     .summary = "least share of depths before a receiver, of depths on [-1, 1]",
     .exactness = tier::c,
     .within = 1.0f / 1048576.0f,
+    .as_written = true,
     .source = R"GLSL(
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
@@ -111,6 +112,7 @@ inline constexpr snippet decode_msm_hausdorff{
     .summary = "mean of four moments of depths on [-1, 1] to visibility",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&bias_moments, &decode_msm, &forward_depth, &hausdorff_share>,
     .source = R"GLSL(
 // umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit

@@ -25,7 +25,7 @@ namespace umbrage {
 /// @param coord     in texels, the first texel's centre is (0.5, 0.5); inside texel space
 /// @return          as fetch
 /// @formula         (a (1 - s) + b s) (1 - t) + (c (1 - s) + d s) t, s and t in [0, 1), multiples of 1/256
-/// @exactness       B;  A where texels are multiples of 2^-8 below 1
+/// @exactness       B, n = 12;  A where texels are multiples of 2^-8 below 1
 template <real T, class Fetch>
 [[nodiscard]] auto fetch_bilinear(Fetch&& fetch, glm::vec<2, T> coord) {
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);
@@ -53,7 +53,7 @@ template <real T, class Fetch, class Decode>
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @formula          decode_vsm of fetch_bilinear
-/// @exactness        C, 1 ulp: a division
+/// @exactness        C, n = 109: a division
 template <real T, class Fetch>
 [[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T far = T(1)) {
     return detail::look_up(fetch, coord, receiver, far,
@@ -61,14 +61,14 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_esm.
-/// @exactness        B
+/// @exactness        B, n = 49
 template <real T, class Fetch>
 [[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T far = T(1)) {
     return detail::look_up(fetch, coord, receiver, far, [&](T m) { return decode_esm(m, receiver, exponent, far); });
 }
 
 /// As vsm, of texels of encode_evsm2.
-/// @exactness        C, 1 ulp: a division
+/// @exactness        C, n = 139: a division
 template <real T, class Fetch>
 [[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T far = T(1)) {
     return detail::look_up(fetch, coord, receiver, far,
@@ -76,7 +76,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_evsm4.
-/// @exactness        C, 1 ulp: a division
+/// @exactness        C, n = 139: a division
 template <real T, class Fetch>
 [[nodiscard]] T evsm4(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> exponents,
                       glm::vec<2, T> deviations, T far = T(1)) {
@@ -101,7 +101,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
-/// @exactness        C: as decode_msm_hausdorff
+/// @exactness        C, n = 22861: as decode_msm_hausdorff
 template <real T, class Fetch>
 [[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
     return detail::look_up(fetch, coord, receiver, far,
@@ -114,6 +114,7 @@ inline constexpr snippet fetch_bilinear{
     .name = "fetch_bilinear",
     .summary = "mean of the four texels around a point",
     .exactness = tier::b,
+    .operations = 12,
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
@@ -140,7 +141,7 @@ inline constexpr snippet vsm{
     .name = "vsm",
     .summary = "visibility from a map of encode_vsm's texels",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 109,
     .needs = list<&is_compared, &fetch_bilinear, &decode_vsm>,
     .source = R"GLSL(
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
@@ -160,6 +161,7 @@ inline constexpr snippet esm{
     .name = "esm",
     .summary = "visibility from a map of encode_esm's texels",
     .exactness = tier::b,
+    .operations = 49,
     .needs = list<&is_compared, &fetch_bilinear, &decode_esm>,
     .source = R"GLSL(
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
@@ -179,7 +181,7 @@ inline constexpr snippet evsm2{
     .name = "evsm2",
     .summary = "visibility from a map of encode_evsm2's texels",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 139,
     .needs = list<&is_compared, &fetch_bilinear, &decode_evsm2>,
     .source = R"GLSL(
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
@@ -200,7 +202,7 @@ inline constexpr snippet evsm4{
     .name = "evsm4",
     .summary = "visibility from a map of encode_evsm4's texels",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 139,
     .needs = list<&is_compared, &fetch_bilinear, &decode_evsm4>,
     .source = R"GLSL(
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
@@ -222,6 +224,7 @@ inline constexpr snippet msm{
     .summary = "visibility from a map of encode_msm's texels",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&is_compared, &fetch_bilinear, &decode_msm>,
     .source = R"GLSL(
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
@@ -242,6 +245,7 @@ inline constexpr snippet msm_turned{
     .summary = "visibility from a map of turned moments",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&is_compared, &fetch_bilinear, &decode_msm, &turn_moments_back>,
     .source = R"GLSL(
 // umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
@@ -262,6 +266,7 @@ inline constexpr snippet msm_hausdorff{
     .summary = "visibility from a map of encode_msm's texels",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&is_compared, &fetch_bilinear, &decode_msm_hausdorff>,
     .source = R"GLSL(
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit

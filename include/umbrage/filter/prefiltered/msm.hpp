@@ -31,7 +31,7 @@ inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< of four channels of 16 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1, 1, 1)
 /// @param far       1, or 0 where depth is reversed
 /// @formula         (z, z^2, z^3, z^4), z = 2 forward_depth - 1
-/// @exactness       B
+/// @exactness       B, n = 15
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015; on [-1, 1]: Peters et al.: Improved moment shadow
 ///                  maps for translucent occluders, soft shadows and single scattering, JCGT 2017
 template <real T>
@@ -43,7 +43,7 @@ template <real T>
 
 /// Moments for four channels of 16 bits: each takes [0, 1] wholly. A mean of turned moments is the mean, turned.
 /// @formula         (1.5 b1 - 2 b3 + 1/2, 4 b2 - 4 b4, sqrt(3)/2 b1 - 2 sqrt(3)/9 b3 + 1/2, (b2 + b4) / 2)
-/// @exactness       B
+/// @exactness       B, n = 4
 /// @cite            Peters et al., JCGT 2017
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments(glm::vec<4, T> b) {
@@ -52,7 +52,7 @@ template <real T>
 }
 
 /// @formula         the inverse of turn_moments
-/// @exactness       B;  off by at most 2^-22 of what was turned, of rounding on both ways
+/// @exactness       B, n = 5;  off by at most 2^-22 of what was turned, of rounding on both ways
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments_back(glm::vec<4, T> o) {
     const T x = o.x - T(0.5), z = o.z - T(0.5), eighth = o.y * T(0.125);
@@ -119,7 +119,7 @@ template <real T>
 /// @formula         D = b2 - b1^2, L = b3 - b1 b2, E = b4 - b2^2 - L l, l = L / D, h = 2 b1 - l, q(t) = (t + h) t - D;
 ///                  t the roots of a t^2 + B t + c, a = D q(x), B = x E + h a, c = D (E - a); the share at t is
 ///                  D E / (D E + t^2 E + q(t)^2 D)
-/// @exactness       C: five divisions and a root
+/// @exactness       C, n = 1357: five divisions and a root
 template <real T>
 [[nodiscard]] glm::vec<4, T> moment_atoms(glm::vec<4, T> b, T x) {
     const detail::atom_equation<T> equation(b, x);
@@ -128,7 +128,7 @@ template <real T>
 
 /// Moments as moment_atoms takes them.
 /// @param bias      msm_bias_32, msm_bias_16
-/// @exactness       B
+/// @exactness       B, n = 3
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> bias_moments(glm::vec<4, T> b, glm::vec<2, T> bias) {
     return {b.x - b.x * bias.x, b.y + (bias.y - b.y) * bias.x, b.z - b.z * bias.x, b.w + (bias.y - b.w) * bias.x};
@@ -160,6 +160,7 @@ inline constexpr snippet encode_msm{
     .name = "encode_msm",
     .summary = "depth to its first four powers on [-1, 1]",
     .exactness = tier::b,
+    .operations = 15,
     .needs = list<&saturate, &forward_depth>,
     .source = R"GLSL(
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
@@ -175,6 +176,7 @@ inline constexpr snippet turn_moments{
     .name = "turn_moments",
     .summary = "four moments to four channels of 16 bits",
     .exactness = tier::b,
+    .operations = 4,
     .source = R"GLSL(
 // umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
 UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
@@ -191,6 +193,7 @@ inline constexpr snippet turn_moments_back{
     .name = "turn_moments_back",
     .summary = "four channels of 16 bits to four moments",
     .exactness = tier::b,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
 UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
@@ -211,6 +214,7 @@ inline constexpr snippet moment_atoms{
     .summary = "the two depths that make four moments beside a receiver's",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .source = R"GLSL(
 // umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
 //   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
@@ -239,6 +243,7 @@ inline constexpr snippet bias_moments{
     .name = "bias_moments",
     .summary = "four moments, moved a little towards those of spread depths",
     .exactness = tier::b,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
 UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2 bias) {
@@ -256,6 +261,7 @@ inline constexpr snippet decode_msm{
     .summary = "mean of four moments to visibility",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&bias_moments, &forward_depth, &moment_atoms>,
     .source = R"GLSL(
 // umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit

@@ -33,7 +33,7 @@ namespace detail {
 /// @param step      (1, 0) along x, (0, 1) along y
 /// @formula         w0 c + w1 (before1 + after1) + ..., in this order,
 ///                  w_i = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
-/// @exactness       B;  A for 5 taps both ways over multiples of 2^-16 below 1
+/// @exactness       B, n = 7, 12, 17 of 3, 5, 7 taps;  A for 5 taps both ways over multiples of 2^-16 below 1
 template <int Taps, class Fetch>
 [[nodiscard]] auto blur_row(Fetch&& fetch, glm::ivec2 texel, glm::ivec2 step) {
     static_assert(Taps == 3 || Taps == 5 || Taps == 7);
@@ -48,7 +48,7 @@ template <int Taps, class Fetch>
 /// Mean of the 2x2 texels that one of the next level of a mip chain is made of.
 /// @param texel     of the next level; where a level's size is odd, its last column or row counts twice
 /// @formula         ((a + b) + (c + d)) / 4
-/// @exactness       B;  A for multiples of 2^-22 below 1
+/// @exactness       B, n = 8;  A for multiples of 2^-22 below 1
 template <class Fetch>
 [[nodiscard]] auto halve_texels(Fetch&& fetch, glm::ivec2 texel) {
     const glm::ivec2 at = texel * 2;
@@ -86,6 +86,7 @@ template <int Taps>
 inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
                                   .summary = "mean of texels in a row",
                                   .exactness = tier::b,
+                                  .operations = (5 * Taps - 1) / 2,
                                   .needs = list<&fetch_clamped>,
                                   .source = {blur_row_text, Taps}};
 
@@ -93,6 +94,7 @@ inline constexpr snippet halve_texels{
     .name = "halve_texels",
     .summary = "mean of 2x2 texels",
     .exactness = tier::b,
+    .operations = 8,
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
 // umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of

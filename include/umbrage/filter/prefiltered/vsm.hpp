@@ -24,7 +24,7 @@ namespace umbrage {
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1)
 /// @param far       1, or 0 where depth is reversed
 /// @formula         (d, d^2), d = forward_depth
-/// @exactness       B
+/// @exactness       B, n = 3
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T far = T(1)) {
     const T d = forward_depth(saturate(depth, far), far);
@@ -37,7 +37,7 @@ template <real T>
 ///                       surfaces shadow themselves
 /// @return               visibility before bleed_cut: at least the lit share, less chebyshev's error
 /// @formula              chebyshev(m, forward_depth(receiver), min_variance)
-/// @exactness            C, 1 ulp: a division
+/// @exactness            C, n = 13: a division
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T far = T(1)) {
@@ -47,7 +47,7 @@ template <real T>
 /// @param m         mean of the depths, mean of their squares
 /// @return          mean and twice the standard deviation, for depths in [0, 1] each 0 to 1; the latter 0 for NaN
 /// @formula         (m.x, 2 sqrt(max(m.y - m.x^2, 0)))
-/// @exactness       C, 1 ulp: a root
+/// @exactness       C, n = 7: a root
 template <real T>
 [[nodiscard]] glm::vec<2, T> encode_deviation(glm::vec<2, T> m) {
     const T variance = m.y - m.x * m.x;
@@ -57,7 +57,7 @@ template <real T>
 /// @param held      mean and twice the standard deviation, as stored
 /// @return          mean of the depths, mean of their squares
 /// @formula         (mean, mean^2 + (deviation / 2)^2)
-/// @exactness       B
+/// @exactness       B, n = 5
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> decode_deviation(glm::vec<2, T> held) {
     const T half = held.y * T(0.5);
@@ -69,7 +69,7 @@ template <real T>
 /// @return          the mean of the depths, the mean of their squares: mean and deviation of the upper edges of their
 ///                  codes, so that nothing gets darker by being stored
 /// @formula         decode_deviation(decode_rg<16>(c.xy), decode_rg<16>(c.zw))
-/// @exactness       B
+/// @exactness       B, n = 21
 template <real T>
 [[nodiscard]] glm::vec<2, T> decode_deviation_rgba8(glm::vec<4, T> c) {
     return decode_deviation(
@@ -82,6 +82,7 @@ inline constexpr snippet encode_vsm{
     .name = "encode_vsm",
     .summary = "depth to a texel of a variance shadow map",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&saturate, &forward_depth>,
     .source = R"GLSL(
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
@@ -96,7 +97,7 @@ inline constexpr snippet decode_vsm{
     .name = "decode_vsm",
     .summary = "mean of texels of a variance shadow map to visibility",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 13,
     .needs = list<&chebyshev, &forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
@@ -112,7 +113,7 @@ inline constexpr snippet encode_deviation{
     .name = "encode_deviation",
     .summary = "depth's two moments to mean and deviation",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 7,
     .source = R"GLSL(
 // umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
 UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
@@ -126,6 +127,7 @@ inline constexpr snippet decode_deviation{
     .name = "decode_deviation",
     .summary = "mean and deviation to depth's two moments",
     .exactness = tier::b,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
 UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
@@ -140,6 +142,7 @@ inline constexpr snippet decode_deviation_rgba8{
     .name = "decode_deviation_rgba8",
     .summary = "mean and deviation in four channels to depth's two moments",
     .exactness = tier::b,
+    .operations = 21,
     .needs = list<&decode_deviation, &decode_rg<16>>,
     .source = R"GLSL(
 // umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths

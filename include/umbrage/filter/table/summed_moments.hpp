@@ -25,7 +25,7 @@ namespace umbrage {
 /// @param half_width   columns of either half
 /// @param first        of the box: lowest column and row;   end  highest and one, first < end
 /// @formula            (a - b - c + d) mod 2^32 over the number of texels
-/// @exactness          C, 1 ulp: a division; its dividend is the sum to half an ulp, while that is below 2^32, however
+/// @exactness          C, n = 19: a division; its dividend is the sum to half an ulp, while that is below 2^32, however
 ///                     often the table has wrapped
 template <real T, class Fetch>
 [[nodiscard]] glm::vec<4, T> box_mean(Fetch&& table, int half_width, glm::ivec2 first, glm::ivec2 end) {
@@ -73,7 +73,7 @@ inline constexpr snippet box_mean{
     .name = "box_mean",
     .summary = "mean of four whole numbers over a box, from a summed-area table in two halves",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 19,
     .needs = list<&texel>,
     .source = R"GLSL(
 // umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
@@ -105,6 +105,7 @@ inline constexpr snippet summed_moments{
     .summary = "moment shadow over a box of any size, from a summed-area table",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&is_compared, &box_mean, &turn_moments_back, &decode_msm>,
     .source = R"GLSL(
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit

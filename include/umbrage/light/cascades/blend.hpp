@@ -32,7 +32,7 @@ template <real T>
 /// @param scale, offset   of the weight, the w of a cascade's own
 /// @return                0 .. 1 in steps of 1/256; NaN gives 0
 /// @formula               depth scale + offset
-/// @exactness             B: a product and a sum
+/// @exactness             B, n = 3: a product and a sum
 template <real T>
 [[nodiscard]] constexpr T cascade_fade(T depth, T scale, T offset) {
     return cascade_weight(depth * scale + offset);
@@ -44,7 +44,7 @@ template <real T>
 /// @param per_texel    weight a texel: 1 / width of the band along the border
 /// @return             0 .. 1 in steps of 1/256; NaN gives 0
 /// @formula            1 - (distance from the border - reach) per_texel, where the border is nearest
-/// @exactness          B
+/// @exactness          B, n = 8
 template <real T>
 [[nodiscard]] T cascade_border_fade(glm::vec<2, T> coordinate, glm::vec<2, T> size, T reach, T per_texel) {
     const glm::vec<2, T> half = size * T(0.5);
@@ -58,7 +58,7 @@ template <real T>
 /// Two cascades' visibilities, mixed.
 /// @param weight    of the farther cascade's, 0 .. 1
 /// @formula         nearer + (farther - nearer) weight, from weight 1 on farther alone
-/// @exactness       B; nothing rounds where visibilities are multiples of 2^-16 and weights of 1/256
+/// @exactness       B, n = 3; nothing rounds where visibilities are multiples of 2^-16 and weights of 1/256
 template <real T>
 [[nodiscard]] constexpr T blend_cascades(T nearer, T farther, T weight) {
     return weight < T(1) ? nearer + (farther - nearer) * weight : farther;
@@ -110,6 +110,7 @@ inline constexpr snippet cascade_fade{
     .name = "cascade_fade",
     .summary = "weight of the next cascade, by view depth",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&cascade_weight>,
     .source = R"GLSL(
 // umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
@@ -125,6 +126,7 @@ inline constexpr snippet cascade_border_fade{
     .name = "cascade_border_fade",
     .summary = "weight of the next cascade, by distance from the border",
     .exactness = tier::b,
+    .operations = 8,
     .needs = list<&cascade_weight>,
     .source = R"GLSL(
 // umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
@@ -145,6 +147,7 @@ inline constexpr snippet blend_cascades{
     .name = "blend_cascades",
     .summary = "two cascades' visibilities, mixed",
     .exactness = tier::b,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
 UMBRAGE_HIGHP float umbrage_blend_cascades(UMBRAGE_HIGHP float nearer, UMBRAGE_HIGHP float farther,

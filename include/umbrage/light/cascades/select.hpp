@@ -53,7 +53,7 @@ template <real T>
 /// @param scale, offset   of the cascade, see cascade; their w is not used
 /// @return                (x, y) in texels, depth: what filters take, without a division
 /// @formula               light scale + offset
-/// @exactness             B: a product and a sum each
+/// @exactness             B, n = 2: a product and a sum each
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cascade_coordinate(glm::vec<3, T> light, glm::vec<4, T> scale,
                                                           glm::vec<4, T> offset) {
@@ -62,7 +62,7 @@ template <real T>
 
 /// True for a coordinate whose filter stays inside the map, between the near and the far plane.
 /// @param size    of the map, in texels;   reach  of the filter, in texels
-/// @exactness     B: differences, exact where size and reach are multiples of 1/16
+/// @exactness     B, n = 2: differences, exact where size and reach are multiples of 1/16
 template <real T>
 [[nodiscard]] constexpr bool inside_cascade(glm::vec<3, T> coordinate, glm::vec<2, T> size, T reach) {
     const auto within = [](T low, T v, T high) { return !is_nan(v) && v >= low && v <= high; };
@@ -77,7 +77,7 @@ template <real T>
 /// @return                 (x, y) in texels, depth, number; (65536, 65536, 0, 4), which every filter takes as lit,
 ///                         where none holds it: shaders read a texel all the same, so that the layer must be one that
 ///                         is there, min(number, 3)
-/// @exactness              B
+/// @exactness              B, n = 4
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
                                                              const glm::mat<4, 4, T>& offsets, glm::vec<2, T> size,
@@ -128,6 +128,7 @@ inline constexpr snippet cascade_coordinate{
     .name = "cascade_coordinate",
     .summary = "a point in the map of one cascade",
     .exactness = tier::b,
+    .operations = 2,
     .source = R"GLSL(
 // umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
 UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
@@ -143,6 +144,7 @@ inline constexpr snippet inside_cascade{
     .name = "inside_cascade",
     .summary = "coordinates whose filter stays inside a cascade",
     .exactness = tier::b,
+    .operations = 2,
     .source = R"GLSL(
 // umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
 bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float reach) {
@@ -159,6 +161,7 @@ inline constexpr snippet cascade_by_projection{
     .name = "cascade_by_projection",
     .summary = "first cascade that holds a point and its filter",
     .exactness = tier::b,
+    .operations = 4,
     .needs = list<&cascade_coordinate, &inside_cascade>,
     .source = R"GLSL(
 // umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
