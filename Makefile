@@ -105,13 +105,14 @@ gallery:
 # build/dev/tests/parity/prove/proof.md.
 prove:
 	$(call install,$(test_packages))
+	@$(MAKE) --no-print-directory newest-clang
 	$(from_npm)
 	cmake --preset dev -D UMBRAGE_ALL_BUILDS=ON -D CMAKE_CXX_FLAGS_RELEASE=-O1
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
 	cmake --build --preset dev --target mutate
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang-optimised; fi
-	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_aarch64 unit
+	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_fits hostile_aarch64 unit
 	ctest --preset dev -R "^hostile/|^unit/simd/"
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.

@@ -20,6 +20,7 @@
 #include <umbrage/depth/kinds.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/scalar.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 
@@ -27,7 +28,7 @@ namespace umbrage {
 
 /// Least and greatest of some depths.
 struct depth_span {
-    float least = std::numeric_limits<float>::max(), greatest = std::numeric_limits<float>::lowest();
+    float least = detail::highest<float>, greatest = -least;
     [[nodiscard]] bool empty() const { return least > greatest; }
 };
 
@@ -37,8 +38,7 @@ struct depth_span {
 /// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011
 template <class ParallelFor = serial>
 [[nodiscard]] depth_span measure_depths(image_view<const float> depths, float cleared, ParallelFor&& parallel = {}) {
-    constexpr auto lowest = std::numeric_limits<std::int32_t>::min(),
-                   highest = std::numeric_limits<std::int32_t>::max();
+    constexpr auto lowest = std::numeric_limits<std::int32_t>::lowest(), highest = detail::highest<std::int32_t>;
     struct ends {
         std::int32_t least = highest, greatest = lowest;
     };

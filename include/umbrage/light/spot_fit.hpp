@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -99,7 +98,7 @@ template <real T = float>
     if (fit.casters)
         z_near = glm::min(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
     z_near = glm::max(z_near * (1.0 - share), closest);
-    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : std::numeric_limits<double>::infinity();
+    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : detail::highest<double>;
     const glm::dvec2 first = glm::max(glm::dvec2(low) - margin, -edge),
                      last = glm::min(glm::dvec2(high) + margin, edge);
     const glm::dvec2 half = (last - first) * 0.5;

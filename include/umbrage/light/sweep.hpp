@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -59,7 +58,7 @@ template <class = on_use>
 }
 
 struct extent {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    glm::dvec3 low{highest<double>}, high{-highest<double>};
 };
 template <class = on_use>
 [[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
@@ -150,10 +149,10 @@ template <class = on_use>
     return planes;
 }
 
-/// The least distance along the light of a box's faces within planes; infinite where none is.
+/// The least distance along the light of a box's faces within planes; highest<double> where none is.
 template <class = on_use>
 [[nodiscard]] double nearest(const glm::dmat4& frame, const polyhedron& box, const std::vector<glm::dvec4>& planes) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = highest<double>;
     for (const polyhedron::face& face : box.faces()) {
         std::vector<glm::dvec3> polygon = seen(frame, face.corners);
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
@@ -185,7 +184,7 @@ template <real T, std::size_t Count>
     detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
     cascade_uniforms<T> u;
     u.rotation = cascades[0].light.view;
-    u.ends = glm::vec<3, T>(std::numeric_limits<T>::max());
+    u.ends = glm::vec<3, T>(detail::highest<T>);
     for (glm::length_t i = 0; i < 4; ++i) {
         if (i >= static_cast<glm::length_t>(Count)) {
             u.offsets[i] = {T(65536), T(65536), T(0), T(0)};

@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -57,7 +56,7 @@ template <real T>
 [[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
                                    const char* function) {
     const glm::dvec3 eye(camera.position), ahead = axes(camera)[2];
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    double least = highest<double>, greatest = -least;
     for (const glm::dvec3& p : points) {
         const double z = glm::dot(p - eye, ahead);
         least = glm::min(least, z), greatest = glm::max(greatest, z);
@@ -74,7 +73,7 @@ template <real T>
 
 /// The least and the greatest of angles under which points lie, in x and in y, z ahead.
 struct angles {
-    glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    glm::dvec2 low{highest<double>}, high{-highest<double>};
     bool all_ahead = true;  ///< false where one of them does not lie ahead, and nothing else is told
 };
 template <class = on_use>
@@ -148,7 +147,7 @@ template <class = on_use>
 template <class = on_use>
 [[nodiscard]] glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
     extent box;
-    double least = std::numeric_limits<double>::infinity();
+    double least = highest<double>;
     for (const glm::dvec3& p : corners_of(receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         box.low = glm::min(box.low, glm::dvec3(h) / h.w), box.high = glm::max(box.high, glm::dvec3(h) / h.w);

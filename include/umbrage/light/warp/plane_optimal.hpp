@@ -9,7 +9,6 @@
 //
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -76,7 +75,7 @@ template <real T>
     rows[3] = row(camera[2]);
     const glm::dmat4 to_map = glm::transpose(rows);
 
-    double least = std::numeric_limits<double>::infinity(), greatest = 0.0;
+    double least = highest<double>, greatest = 0.0;
     for (const glm::dvec3& p : seen) {
         const double w = (to_map * glm::dvec4(p, 1.0)).w;
         least = glm::min(least, w), greatest = glm::max(greatest, w);
