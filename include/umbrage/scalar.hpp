@@ -57,15 +57,15 @@ template <class Elements>
 }  // namespace detail
 
 /// Clamps to [0, 1]. NaN of either sign becomes far, the cleared depth; -0 becomes +0.
-/// @param far   1, or 0 where depth is reversed
-/// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : far))
+/// @param cleared   1, or 0 where depth is reversed
+/// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : cleared))
 /// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
 ///              flushing mode takes a denormal
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T saturate(T v, T far = T(1)) {
+[[nodiscard]] UMBRAGE_INLINE constexpr T saturate(T v, T cleared = T(1)) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
     const auto own = detail::bit_cast<bits>(v), one = detail::bit_cast<bits>(T(1)), below = own < one ? own : one;
-    return detail::bit_cast<T>(is_nan(v) ? detail::bit_cast<bits>(far) : (below > 0 ? below : 0));
+    return detail::bit_cast<T>(is_nan(v) ? detail::bit_cast<bits>(cleared) : (below > 0 ? below : 0));
 }
 
 namespace glsl {

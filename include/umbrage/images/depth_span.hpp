@@ -21,6 +21,7 @@
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 
@@ -83,8 +84,8 @@ template <real T>
     const auto distance = [&](T depth) {
         return forward ? view_z_from_depth(depth, z_near, z_far) : view_z_from_reversed_depth(depth, z_near, z_far);
     };
-    return {glm::max(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
-            glm::min(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
+    return {detail::greater(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
+            detail::lesser(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
 }
 
 }  // namespace umbrage

@@ -28,6 +28,7 @@
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -38,7 +39,7 @@ template <class = detail::on_use>
 [[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
     bounding_box<float> box{glm::vec3(detail::highest<float>), glm::vec3(-detail::highest<float>)};
     for (const glm::vec3& p : mesh.positions)
-        if (detail::all_finite(p)) box.low = glm::min(box.low, p), box.high = glm::max(box.high, p);
+        if (detail::all_finite(p)) box.low = detail::lesser(box.low, p), box.high = detail::greater(box.high, p);
     return box;
 }
 

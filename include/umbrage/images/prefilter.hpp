@@ -120,10 +120,10 @@ requires requires(const Prefilter& f, typename Prefilter::texel t) { f.moments(t
 UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
                                         const float* depths, float* visibility) {
     alignas(64) float x[block], d[block], D[block], E[block], h[block], a[block], B[block], c[block], roots[block];
-    const float far = cleared_depth(filter.direction);
+    const float cleared = cleared_depth(filter.direction);
     for (int i = 0; i < block; ++i) {
         const glm::vec4 m = filter.moments(means[i]);
-        d[i] = forward_depth(depths[i], far);
+        d[i] = forward_depth(depths[i], cleared);
         x[i] = moment_depth(d[i]) - m.x;
         const atom_equation<float> e(m, x[i]);
         D[i] = e.D, E[i] = e.E, h[i] = e.h, a[i] = e.a, B[i] = e.B, c[i] = e.c, roots[i] = e.square;

@@ -117,7 +117,7 @@ template <class At>
             if (draws) extents[{x, y}] = static_cast<float>(extent);
             all.push_back(extent);
             sum += extent;
-            longest = glm::max(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
+            longest = detail::greater(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
         }
     report.measured = all.size();
     if (all.empty()) return report;

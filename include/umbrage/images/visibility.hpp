@@ -184,9 +184,9 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
         parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, out, first, last); });
     };
     const auto clamped_map = decoded(map, encoding);
-    const auto bordered_map = [&, far = far_depth(encoding, filter)](glm::ivec2 texel) {
+    const auto bordered_map = [&, cleared = far_depth(encoding, filter)](glm::ivec2 texel) {
         const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
-        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : far;
+        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : cleared;
     };
     if constexpr (has_block_form<Filter>) {
         using form = block_form<Filter>;

@@ -63,7 +63,7 @@ struct extent {
 template <class = on_use>
 [[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
     extent e;
-    for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
+    for (const glm::dvec3& p : points) e.low = lesser(e.low, p), e.high = greater(e.high, p);
     return e;
 }
 
@@ -130,7 +130,7 @@ template <class = on_use>
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
     double longest = 0.0;
-    for (std::size_t i = 0; i < hull.size(); ++i) longest = glm::max(longest, glm::distance(hull[i], end_of(i)));
+    for (std::size_t i = 0; i < hull.size(); ++i) longest = greater(longest, glm::distance(hull[i], end_of(i)));
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
         if (glm::length(inwards) <= longest * 0x1p-32) continue;
@@ -156,7 +156,7 @@ template <class = on_use>
     for (const polyhedron::face& face : box.faces()) {
         std::vector<glm::dvec3> polygon = seen(frame, face.corners);
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = detail::lesser(least, p.z);
+        for (const glm::dvec3& p : polygon) least = lesser(least, p.z);
     }
     return least;
 }

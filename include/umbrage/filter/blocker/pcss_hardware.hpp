@@ -22,6 +22,7 @@
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -73,7 +74,7 @@ template <real T, class Compare = less_equal>
     const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
     const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
     const T least = softness.y * T(0.0625);
-    return radius > least ? glm::min(radius, softness.z * T(0.0625)) : least;
+    return radius > least ? detail::lesser(radius, softness.z * T(0.0625)) : least;
 }
 
 /// @tparam Points    8, 16 or 32, of the search and of the filter

@@ -23,6 +23,7 @@
 #include <umbrage/config.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 namespace detail {
@@ -53,8 +54,8 @@ template <real T>
     v.length = high.y - low.y;
     v.camera_y = own.y;
     v.closest = highest<double>;
-    for (const glm::dvec3& p : receivers) v.closest = glm::min(v.closest, glm::dot(p - eye, view));
-    v.closest = glm::max(v.closest, double(fit.camera.z_near));
+    for (const glm::dvec3& p : receivers) v.closest = lesser(v.closest, glm::dot(p - eye, view));
+    v.closest = greater(v.closest, double(fit.camera.z_near));
     return v;
 }
 
@@ -76,7 +77,7 @@ template <real T>
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
     const double nearest = v.length * 0x1p-14;  // float holds no more
-    const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
+    const double bend = share_of_warp(v.sine) / greater(n, nearest);
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
@@ -104,7 +105,7 @@ template <real T>
 template <real T = float>
 [[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
     const double distance = detail::optimal_distance(detail::make_along_view(fit, "optimal_distance"));
-    return T(glm::min(distance, double(detail::highest<T>)));
+    return T(detail::lesser(distance, double(detail::highest<T>)));
 }
 
 /// The map of a directional light, warped along the camera's view.

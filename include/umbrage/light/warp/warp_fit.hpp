@@ -31,6 +31,7 @@
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -89,7 +90,7 @@ template <class = on_use>
         for (const glm::dvec3& p : polygon) {
             const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
             if (!(h.w > 0.0)) return {-highest<double>, highest<double>};
-            least = glm::min(least, h.z / h.w), greatest = glm::max(greatest, h.z / h.w);
+            least = lesser(least, h.z / h.w), greatest = greater(greatest, h.z / h.w);
         }
     }
     return {least, greatest};
@@ -134,15 +135,15 @@ template <real T>
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
         receivers.push_back(glm::dvec3(h) / h.w);
-        least_w = glm::min(least_w, h.w), greatest_w = glm::max(greatest_w, h.w);
+        least_w = lesser(least_w, h.w), greatest_w = greater(greatest_w, h.w);
     }
     extent box = extent_of(receivers);
     const glm::dvec3 size = box.high - box.low;
     constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
-    const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
+    const glm::dvec2 around = double(fit.margin) * greater(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
     // the hull's cone over the map, of which the other half, behind w = 0, is no part
-    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
-    box.low.z = glm::min(box.low.z, swept.x);
+    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, greater(around.x, around.y)));
+    box.low.z = lesser(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
     return laid(to_map, box, least_w, greatest_w, fit, function);
