@@ -47,7 +47,7 @@ endef
 
 define configure_bench
 $(call install,$(bench_packages))
-@cmake -G Ninja -S . -B build/bench -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_BENCHMARKS=ON -D UMBRAGE_BUILD_EXAMPLES=OFF \
+@cmake -G Ninja -S . -B build/bench -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_TESTS=ON -D UMBRAGE_BUILD_BENCHMARKS=ON \
     -D UMBRAGE_BENCH_OUTPUT=$(CURDIR)/build
 endef
 
@@ -152,7 +152,7 @@ bench-compare:
 single-header:
 	cmake -P single_include/amalgamate.cmake
 	@mkdir -p build
-	cmake -G Ninja -S . -B build/package -D UMBRAGE_BUILD_EXAMPLES=OFF -D CMAKE_BUILD_TYPE=Debug > build/package.log
+	cmake -G Ninja -S . -B build/package -D UMBRAGE_BUILD_TESTS=ON -D CMAKE_BUILD_TYPE=Debug > build/package.log
 	cmake --build build/package --target package
 
 # Writes the generated tables of README.md anew.
