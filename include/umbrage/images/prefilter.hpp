@@ -38,7 +38,7 @@ template <class Texel>
 struct texel_planes {
     static constexpr int channels = static_cast<int>(sizeof(Texel) / sizeof(float));
 
-    alignas(64) float values[channels * block];
+    alignas(64) float values[std::size_t(channels) * block];
 
     UMBRAGE_INLINE void set(int i, const Texel& t) {
         if constexpr (channels == 1) values[i] = t;
@@ -95,7 +95,7 @@ struct bilinear_block {
             const float *const below = row(low[i]), *const above = row(high[i]);
             const int l = left[i] * channels, h = right[i] * channels;
             const float hx = hi_x[i], hy = hi_y[i], lx = 256.0f - hx, ly = 256.0f - hy;
-            float mean[channels];
+            float mean[std::size_t(channels)];
             for (int c = 0; c < channels; ++c) {
                 const float first = below[l + c] * lx + below[h + c] * hx;
                 const float second = above[l + c] * lx + above[h + c] * hx;

@@ -39,8 +39,8 @@ namespace detail {
 /// y / distance, and the distance.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
-    for (const glm::dvec4 plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0), glm::dvec4(-1, 0, edge, 0),
-                                   glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
+    for (const glm::dvec4& plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0),
+                                    glm::dvec4(-1, 0, edge, 0), glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
         seen = clipped_hull(seen, plane);
     for (glm::dvec3& p : seen) p = {p.x / p.z, p.y / p.z, p.z};
     return seen;
