@@ -42,7 +42,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param coord      receiver in texels; outside texel space, or NaN: none found
 /// @param receiver   depth, biased as for the filter; beyond the far plane: none found; NaN has all before it
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
-/// @param turn       as disc_turn gives it
+/// @param turn       as disc_turn gives it; not a number: none found
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
 /// @exactness        C, within an ulp in a shader, but at borders between texels, as depth_at
@@ -53,8 +53,10 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return found;
     const T rho = clamped_disc_radius(radius);
     for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::ivec2 texel(glm::floor(disc_position(coord, glm::vec<2, T>(point), turn, rho)));
-        const auto stored = T(fetch(texel));
+        const glm::vec<2, T> at = disc_position(coord, glm::vec<2, T>(point), turn, rho);
+        const T reached = glm::abs(at.x) + glm::abs(at.y);
+        if (is_nan(reached) || reached >= T(1 << 17)) continue;  // no turn that disc_turn gives
+        const auto stored = T(fetch(glm::ivec2(glm::floor(at))));
         if (!is_lit(receiver, stored)) found += glm::vec<2, T>(T(1), stored);
     }
     return found;
