@@ -6,6 +6,7 @@
 #     make unit T=filter/pcf/box   builds and runs one header's unit tests; without T all of them
 #     make gpu     what this machine's GPU computes beside C++: a page for each API, build/gpu/report-*.md
 #     make lint    the rules of the house that scripts hold
+#     make users   the unit tests as users compile them: part of make prove
 #     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
 #     make bench-compare A=old.json B=new.json   tells two runs of it apart, or several: A="1.json 2.json" B="3.json 4.json"
@@ -50,7 +51,7 @@ endef
 
 define configure_bench
 $(call install,$(bench_packages))
-@cmake -G Ninja -S . -B build/bench -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_BENCHMARKS=ON -D UMBRAGE_BUILD_EXAMPLES=OFF \
+@cmake -G Ninja -S . -B build/bench -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_TESTS=ON -D UMBRAGE_BUILD_BENCHMARKS=ON \
     -D UMBRAGE_BENCH_OUTPUT=$(CURDIR)/build
 endef
 
@@ -67,7 +68,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu lint newest-clang demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test unit gpu lint newest-clang demo gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -124,14 +125,32 @@ gallery:
 # build/dev/tests/parity/prove/proof.md.
 prove:
 	$(call install,$(test_packages))
+	@$(MAKE) --no-print-directory newest-clang
 	$(from_npm)
 	cmake --preset dev -D UMBRAGE_ALL_BUILDS=ON -D CMAKE_CXX_FLAGS_RELEASE=-O1
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
 	cmake --build --preset dev --target mutate
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang-optimised; fi
-	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_aarch64 unit
+	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_fits hostile_aarch64 unit
 	ctest --preset dev -R "^hostile/|^unit/simd/"
+	@$(MAKE) --no-print-directory users
+
+# All unit tests as users compile them, who leave it to the compiler what it fuses; and what each C++ twin gives, whose
+# bits may not change in tier A. With -ffast-math only that is promised: it lists what else changes.
+users:
+	@set -e; for compiler in g++ $(newest_clang:clang-%=clang++-%); do \
+	    command -v $$compiler > /dev/null || continue; \
+	    for flags in "-O2" "-O3 -march=native" "-O3 -march=native -ffast-math"; do \
+	        build=build/users/$$compiler$$(echo "$$flags" | tr -d ' '); \
+	        cmake --preset users -B $$build -D CMAKE_CXX_COMPILER=$$compiler -D CMAKE_CXX_FLAGS_RELEASE="$$flags"; \
+	        cmake --build $$build --target same_bits; \
+	        $$build/tests/parity/same_bits $$build/tests/parity/libwritten_order.so; \
+	        case "$$flags" in *fast-math) continue;; esac; \
+	        cmake --build $$build --target unit; \
+	        ctest --test-dir $$build -R '^unit/' -j 2 --output-on-failure; \
+	    done; \
+	done
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
 bench-packing:
@@ -170,7 +189,7 @@ bench-compare:
 single-header:
 	cmake -P single_include/amalgamate.cmake
 	@mkdir -p build
-	cmake -G Ninja -S . -B build/package -D UMBRAGE_BUILD_EXAMPLES=OFF -D CMAKE_BUILD_TYPE=Debug > build/package.log
+	cmake -G Ninja -S . -B build/package -D UMBRAGE_BUILD_TESTS=ON -D CMAKE_BUILD_TYPE=Debug > build/package.log
 	cmake --build build/package --target package
 
 # Writes the generated tables of README.md anew.

@@ -13,6 +13,10 @@
 #include <stdexcept>
 #include <string>
 
+#if defined(GLM_FORCE_CXX98) || defined(GLM_FORCE_CXX03)
+#error "umbrage needs GLM's constexpr, which GLM_FORCE_CXX98 and GLM_FORCE_CXX03 switch off: define neither"
+#endif
+
 // A function that is compiled for whatever instruction set its caller is compiled for.
 #if defined(__GNUC__) || defined(__clang__)
 #define UMBRAGE_INLINE __attribute__((always_inline))

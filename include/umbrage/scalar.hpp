@@ -9,6 +9,7 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include <umbrage/config.hpp>
@@ -21,23 +22,24 @@ namespace umbrage {
 template <class T>
 concept real = std::same_as<T, float> || std::same_as<T, double>;
 
-/// Tests the bits, so that -ffast-math cannot remove it.
-[[nodiscard]] constexpr bool is_nan(float v) {
-    return (detail::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) > 0x7F800000u;
-}
+/// Tests the bits, so that -ffast-math cannot remove it. The sign is shifted out: clang 22 removes a masked comparison.
+[[nodiscard]] constexpr bool is_nan(float v) { return (detail::bit_cast<std::uint32_t>(v) << 1) > 0xFF000000u; }
 [[nodiscard]] constexpr bool is_nan(double v) {
-    return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) > 0x7FF0000000000000ull;
+    return (detail::bit_cast<std::uint64_t>(v) << 1) > 0xFFE0000000000000ull;
 }
 
 /// True for everything but NaN and the infinities.
-[[nodiscard]] constexpr bool is_finite(float v) {
-    return (detail::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) < 0x7F800000u;
-}
+[[nodiscard]] constexpr bool is_finite(float v) { return (detail::bit_cast<std::uint32_t>(v) << 1) < 0xFF000000u; }
 [[nodiscard]] constexpr bool is_finite(double v) {
-    return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
+    return (detail::bit_cast<std::uint64_t>(v) << 1) < 0xFFE0000000000000ull;
 }
 
 namespace detail {
+
+/// Above all other numbers: where a search for the least starts. It stands for infinity, which -ffinite-math-only turns
+/// into nonsense. In parentheses, as max may be a macro.
+template <class T>
+inline constexpr T highest = (std::numeric_limits<T>::max)();
 
 /// Of a vector or a matrix: true when no element is NaN or infinite.
 template <class Elements>
@@ -55,15 +57,15 @@ template <class Elements>
 }  // namespace detail
 
 /// Clamps to [0, 1]. NaN of either sign becomes far, the cleared depth; -0 becomes +0.
-/// @param far   1, or 0 where depth is reversed
-/// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : far))
+/// @param cleared   1, or 0 where depth is reversed
+/// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : cleared))
 /// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
 ///              flushing mode takes a denormal
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T saturate(T v, T far = T(1)) {
+[[nodiscard]] UMBRAGE_INLINE constexpr T saturate(T v, T cleared = T(1)) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
     const auto own = detail::bit_cast<bits>(v), one = detail::bit_cast<bits>(T(1)), below = own < one ? own : one;
-    return detail::bit_cast<T>(is_nan(v) ? detail::bit_cast<bits>(far) : (below > 0 ? below : 0));
+    return detail::bit_cast<T>(is_nan(v) ? detail::bit_cast<bits>(cleared) : (below > 0 ? below : 0));
 }
 
 namespace glsl {

@@ -33,6 +33,7 @@
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shader/snippet.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -49,7 +50,8 @@ template <real T>
     detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
     const glm::mat<4, 4, T>& p = light.projection;
     detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light", "must not be warped: see light_units_at");
-    const T edge = glm::max(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
+    const T edge =
+        detail::greater(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
     const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;

@@ -55,17 +55,17 @@ template <real T>
 /// @param stored   depth from the map
 /// @param slope    of the receiver's plane, a texel, -2 .. 2
 /// @param coord    receiver in texels;   texel  whose depth is stored
-/// @param far      the cleared depth: 1, or 0 where depth is reversed
+/// @param cleared  depth of the far plane: 1, or 0 where depth is reversed
 /// @return         what to compare with the receiver; a cleared texel, and what is nearer than 2^-64 to one, stays
 /// @formula        stored - slope . (texel + 1/2 - coord)
 /// @exactness      B, n = 8
 template <real T>
 [[nodiscard]] constexpr T on_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord, glm::vec<2, T> texel,
-                                            T far = T(1)) {
+                                            T cleared = T(1)) {
     const T x = texel.x + T(0.5) - coord.x, y = texel.y + T(0.5) - coord.y;
-    const T before = stored - far;
-    const bool cleared = before < T(0x1p-64) && before > T(-0x1p-64);
-    return cleared ? stored : stored - (slope.x * x + slope.y * y);
+    const T before = stored - cleared;
+    const bool is_cleared = before < T(0x1p-64) && before > T(-0x1p-64);
+    return is_cleared ? stored : stored - (slope.x * x + slope.y * y);
 }
 
 /// The same of all texels, as the fetch callable that filters take.
@@ -74,8 +74,8 @@ template <real T>
 template <std::invocable<glm::ivec2> Fetch>
 [[nodiscard]] auto on_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
                                      depth_direction direction = depth_direction::forward) {
-    return [=, far = cleared_depth(direction)](glm::ivec2 texel) {
-        return on_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), far);
+    return [=, cleared = cleared_depth(direction)](glm::ivec2 texel) {
+        return on_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), cleared);
     };
 }
 

@@ -28,10 +28,10 @@ inline constexpr T upper_edge = T(1);
 /// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
 /// @exactness     A: scaling by a power of two, floor, min
 template <int Bits, real T>
-[[nodiscard]] constexpr std::uint32_t to_code(T depth, T far = T(1)) {
+[[nodiscard]] constexpr std::uint32_t to_code(T depth, T cleared = T(1)) {
     static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
     constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
-    const auto x = static_cast<std::uint32_t>(saturate(depth, far) * T(codes));
+    const auto x = static_cast<std::uint32_t>(saturate(depth, cleared) * T(codes));
     return x < codes ? x : codes - 1;
 }
 

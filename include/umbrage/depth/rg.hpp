@@ -30,9 +30,9 @@ namespace umbrage {
 /// @exactness     A
 /// @cite          ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
 template <int Bits, real T>
-[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth, T far = T(1)) {
+[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth, T cleared = T(1)) {
     static_assert(Bits >= 9 && Bits <= 16);
-    const std::uint32_t x = to_code<Bits>(depth, far);
+    const std::uint32_t x = to_code<Bits>(depth, cleared);
     return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
 }
 

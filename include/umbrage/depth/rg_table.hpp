@@ -44,8 +44,8 @@ inline const glm::ivec2 rg_table_size{rg_table_width<Bits>, (1 << Bits) / rg_tab
 /// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
 /// @exactness     A
 template <int Bits, real T, class Fetch>
-[[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth, T far = T(1)) {
-    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth, far)));
+[[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth, T cleared = T(1)) {
+    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth, cleared)));
     return {texel[0], texel[1]};
 }
 

@@ -22,8 +22,8 @@ namespace umbrage {
 /// @formula       the bytes of min(floor(depth 2^24), 2^24 - 1)
 /// @exactness     A
 template <real T>
-[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth, T far = T(1)) {
-    const std::uint32_t x = to_code<24>(depth, far);
+[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth, T cleared = T(1)) {
+    const std::uint32_t x = to_code<24>(depth, cleared);
     return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
             static_cast<std::uint8_t>(x & 0xFF)};
 }

@@ -20,6 +20,8 @@
 #include <umbrage/depth/kinds.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 
@@ -27,7 +29,7 @@ namespace umbrage {
 
 /// Least and greatest of some depths.
 struct depth_span {
-    float least = std::numeric_limits<float>::max(), greatest = std::numeric_limits<float>::lowest();
+    float least = detail::highest<float>, greatest = -least;
     [[nodiscard]] bool empty() const { return least > greatest; }
 };
 
@@ -37,8 +39,7 @@ struct depth_span {
 /// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011
 template <class ParallelFor = serial>
 [[nodiscard]] depth_span measure_depths(image_view<const float> depths, float cleared, ParallelFor&& parallel = {}) {
-    constexpr auto lowest = std::numeric_limits<std::int32_t>::min(),
-                   highest = std::numeric_limits<std::int32_t>::max();
+    constexpr auto lowest = std::numeric_limits<std::int32_t>::lowest(), highest = detail::highest<std::int32_t>;
     struct ends {
         std::int32_t least = highest, greatest = lowest;
     };
@@ -83,8 +84,8 @@ template <real T>
     const auto distance = [&](T depth) {
         return forward ? view_z_from_depth(depth, z_near, z_far) : view_z_from_reversed_depth(depth, z_near, z_far);
     };
-    return {glm::max(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
-            glm::min(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
+    return {detail::greater(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
+            detail::lesser(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
 }
 
 }  // namespace umbrage

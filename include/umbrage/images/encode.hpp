@@ -20,6 +20,13 @@
 namespace umbrage {
 namespace detail {
 
+/// Runs loops of a codec. FMA, which AVX-512 brings along, changes no result of an exact codec.
+template <class Codec, class Body>
+void on_isa_of(const Codec&, const Body& body) {
+    if constexpr (Codec::exact) on_best_isa(body);
+    else on_best_isa_without_fma(body);
+}
+
 /// A row in blocks; what is left goes through copies as long as a block, by a conversion that may be another.
 template <class From, class To, class Convert, class ConvertRest>
 UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert,
@@ -46,7 +53,7 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
     if (depth.empty()) return;
     const bool large = past_cache(texels);
     parallel(depth.size.y, [&](int first, int last) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
+        on_isa_of(codec, [&](auto) UMBRAGE_INLINE {
             codec.with_encode([&](const auto& in_place) UMBRAGE_INLINE {
                 const auto past_caches = [&](const float* from, texel* to) UMBRAGE_INLINE {
                     alignas(64) texel texels_of_block[block];
@@ -71,7 +78,7 @@ void decode_rows(image_view<const typename Codec::texel> texels, image_view<floa
     if (depth.size != texels.size) fail("umbrage::decode: sizes differ");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
+        on_isa_of(codec, [&](auto) UMBRAGE_INLINE {
             const Codec own = codec;  // as far as a compiler knows, depths may overwrite the other
             for (int y = first; y < last; ++y)
                 convert_row(texels.row(y), depth.row(y), depth.size.x,

@@ -12,7 +12,6 @@
 //
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,6 +28,7 @@
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -37,10 +37,9 @@ namespace umbrage {
 /// @return       low above high where there is none: nothing is then drawn, and corners() refuses it
 template <class = detail::on_use>
 [[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
-    bounding_box<float> box{glm::vec3(std::numeric_limits<float>::max()),
-                            glm::vec3(std::numeric_limits<float>::lowest())};
+    bounding_box<float> box{glm::vec3(detail::highest<float>), glm::vec3(-detail::highest<float>)};
     for (const glm::vec3& p : mesh.positions)
-        if (detail::all_finite(p)) box.low = glm::min(box.low, p), box.high = glm::max(box.high, p);
+        if (detail::all_finite(p)) box.low = detail::lesser(box.low, p), box.high = detail::greater(box.high, p);
     return box;
 }
 

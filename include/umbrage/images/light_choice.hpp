@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -44,7 +43,7 @@ struct choice_terms {
 struct light_choice {
     std::size_t kept = 0;     ///< which of the lights to take
     std::vector<double> p95;  ///< of each: pixels that a texel's longer axis covers, at most, for 95 of 100 points;
-                              ///< infinite where a map does not hold as many, 0 without points
+                              ///< the highest number where a map does not hold as many, 0 without points
 };
 
 /// Measures each light over the points, and keeps the one that it had unless another is better by a margin.
@@ -73,7 +72,7 @@ template <real T>
             const glm::dvec2 at = glm::dvec2(h) / h.w;
             const bool held = h.w > 0 && at.x >= 0 && at.y >= 0 && at.x <= terms.map_size.x && at.y <= terms.map_size.y;
             const double extent = longest_extent(pixels_per_texel(to_texels, terms.to_pixels, p.position, p.normal));
-            if (!held) extents.push_back(std::numeric_limits<double>::infinity());
+            if (!held) extents.push_back(detail::highest<double>);
             else if (is_finite(extent)) extents.push_back(extent);
         }
         choice.p95.push_back(0);

@@ -50,11 +50,11 @@ template <class ParallelFor = serial>
     if (n > 65537) detail::fail("umbrage::make_moment_table: sums in a box of that radius may reach 2^32");
 
     image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
-    const float far = cleared_depth(of.direction);
+    const float cleared = cleared_depth(of.direction);
     parallel(map.size.y, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < map.size.x; ++x)
-                codes[{x, y}] = glm::u16vec4(turn_moments(encode_msm(map.row(y)[x], far)) * 65535.0f + 0.5f);
+                codes[{x, y}] = glm::u16vec4(turn_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
     });
     image<std::uint32_t> channel(map.size), sums(map.size);
     for (glm::length_t c = 0; c < 4; ++c) {
@@ -86,12 +86,12 @@ void summed_visibility(image_view<const glm::u16vec4> table, const moment_table&
         detail::fail("umbrage::summed_visibility: the table is not one of make_moment_table");
     if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
     const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
-    const auto reach = static_cast<float>(radius), far = cleared_depth(of.direction);
+    const auto reach = static_cast<float>(radius), cleared = cleared_depth(of.direction);
     parallel(out.size.y, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < out.size.x; ++x) {
                 const glm::vec3 r = receivers.row(y)[x];
-                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, far);
+                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, cleared);
             }
     });
 }

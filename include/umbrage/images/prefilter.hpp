@@ -38,7 +38,7 @@ template <class Texel>
 struct texel_planes {
     static constexpr int channels = static_cast<int>(sizeof(Texel) / sizeof(float));
 
-    alignas(64) float values[channels * block];
+    alignas(64) float values[std::size_t(channels) * block];
 
     UMBRAGE_INLINE void set(int i, const Texel& t) {
         if constexpr (channels == 1) values[i] = t;
@@ -95,7 +95,7 @@ struct bilinear_block {
             const float *const below = row(low[i]), *const above = row(high[i]);
             const int l = left[i] * channels, h = right[i] * channels;
             const float hx = hi_x[i], hy = hi_y[i], lx = 256.0f - hx, ly = 256.0f - hy;
-            float mean[channels];
+            float mean[std::size_t(channels)];
             for (int c = 0; c < channels; ++c) {
                 const float first = below[l + c] * lx + below[h + c] * hx;
                 const float second = above[l + c] * lx + above[h + c] * hx;
@@ -120,10 +120,10 @@ requires requires(const Prefilter& f, typename Prefilter::texel t) { f.moments(t
 UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
                                         const float* depths, float* visibility) {
     alignas(64) float x[block], d[block], D[block], E[block], h[block], a[block], B[block], c[block], roots[block];
-    const float far = cleared_depth(filter.direction);
+    const float cleared = cleared_depth(filter.direction);
     for (int i = 0; i < block; ++i) {
         const glm::vec4 m = filter.moments(means[i]);
-        d[i] = forward_depth(depths[i], far);
+        d[i] = forward_depth(depths[i], cleared);
         x[i] = moment_depth(d[i]) - m.x;
         const atom_equation<float> e(m, x[i]);
         D[i] = e.D, E[i] = e.E, h[i] = e.h, a[i] = e.a, B[i] = e.B, c[i] = e.c, roots[i] = e.square;

@@ -45,7 +45,8 @@ template <real T>
                                                  glm::vec<3, T> normal) {
     const auto along = detail::across(detail::unit(normal));
     const auto steps = [&](const glm::mat<4, 4, T>& m) {
-        return glm::mat<2, 2, T>(detail::step(m, world, along[0]), detail::step(m, world, along[1]));
+        return glm::mat<2, 2, T>(glm::vec<2, T>(detail::step(m, world, along[0])),
+                                 glm::vec<2, T>(detail::step(m, world, along[1])));
     };
     const glm::mat<2, 2, T> texels = steps(texture_matrix);
     const T det = glm::determinant(texels);
@@ -117,7 +118,7 @@ template <class At>
             if (draws) extents[{x, y}] = static_cast<float>(extent);
             all.push_back(extent);
             sum += extent;
-            longest = glm::max(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
+            longest = detail::greater(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
         }
     report.measured = all.size();
     if (all.empty()) return report;

@@ -22,6 +22,7 @@
 
 #include <umbrage/config.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -68,10 +69,10 @@ template <class Frame>
                 continue;
             }
             const glm::dvec2 moved = now.texel - then.texel, off = glm::abs(moved - glm::round(moved));
-            report.drift = glm::max(report.drift, glm::max(off.x, off.y));
+            report.drift = detail::greater(report.drift, detail::greater(off.x, off.y));
             compared[k] = 1;
             const double change = glm::abs(now.visibility - then.visibility);
-            report.change = glm::max(report.change, change);
+            report.change = detail::greater(report.change, change);
             if (change != 0.0) changed[k] = 1;
         }
     }

@@ -44,7 +44,7 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
         constexpr bool in_tiles = requires { typename Blocks::tile; };
         typename Blocks::placed placed[ring];
         typename tile_of<Blocks>::type tile;
-        alignas(64) float visibility[tile.rows][block];
+        alignas(64) float visibility[std::size_t(tile.rows)][block];
         block_walk ahead{0, first, out.size.x, tile.rows, last}, at = ahead;
         for (unsigned n = 0; at.y < last; ++n) {
             if (ahead.y < last) {
@@ -184,9 +184,9 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
         parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, out, first, last); });
     };
     const auto clamped_map = decoded(map, encoding);
-    const auto bordered_map = [&, far = far_depth(encoding, filter)](glm::ivec2 texel) {
+    const auto bordered_map = [&, cleared = far_depth(encoding, filter)](glm::ivec2 texel) {
         const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
-        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : far;
+        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : cleared;
     };
     if constexpr (has_block_form<Filter>) {
         using form = block_form<Filter>;
@@ -196,7 +196,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
             else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
         });
         if (!done) filter_each(receivers, filter, erase(clamped_map), out, parallel);
-        if (outside == outside_map::lit) light_outside(receivers, map.size, filter, erase(bordered_map), out, parallel);
+        if (outside == outside_map::lit)
+            light_outside(receivers, glm::vec2(map.size), filter, erase(bordered_map), out, parallel);
     } else if (outside == outside_map::lit) {
         filter_each(receivers, filter, bordered_map, out, parallel);
     } else {

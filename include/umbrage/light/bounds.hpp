@@ -26,6 +26,7 @@
 
 #include <umbrage/config.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -106,7 +107,7 @@ template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f);
     const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
-    const double centre = glm::min(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
+    const double centre = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
     return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
 }
 

@@ -16,6 +16,7 @@
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -40,7 +41,7 @@ struct light_box {
 
 /// The square of whole texels around a box, a texel wider, and depths in steps of its side.
 [[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
-    const double n(texels), half_texel = glm::max(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
+    const double n(texels), half_texel = greater(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
     const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
     const double z_near = std::floor(box.z_near / side) * side;
     return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
@@ -82,10 +83,10 @@ template <real T = float>
     detail::light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
     if (fit.casters && snaps) {
         const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
-        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
+        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
     } else if (fit.casters) {
         const auto swept = detail::sweep(points, around);
-        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, swept) - margin);
+        box.z_near = detail::lesser(box.z_near, detail::nearest(frame, *fit.casters, swept) - margin);
     }
     if (snaps) box = detail::snapped(box, fit.snap_texels);
 

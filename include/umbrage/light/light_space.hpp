@@ -20,6 +20,7 @@
 #include <umbrage/clip_space.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -43,7 +44,7 @@ inline void require(bool met, const char* function, const char* arguments, const
 /// True for what neither overflowed nor is lost where denormals count as zero.
 template <real T>
 [[nodiscard]] bool is_normal(T v) {
-    return is_finite(v) && glm::abs(v) >= std::numeric_limits<T>::min();
+    return is_finite(v) && glm::abs(v) >= (std::numeric_limits<T>::min)();
 }
 
 /// The one check of a light's matrices.
@@ -58,7 +59,7 @@ template <real T>
 /// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
 template <real T>
 [[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
-    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    const T scale = greater(greater(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
     return scale > T(0) ? glm::normalize(v / scale) : v;
 }
 

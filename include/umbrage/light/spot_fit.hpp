@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -16,6 +15,7 @@
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -39,8 +39,8 @@ namespace detail {
 /// y / distance, and the distance.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
-    for (const glm::dvec4 plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0), glm::dvec4(-1, 0, edge, 0),
-                                   glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
+    for (const glm::dvec4& plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0),
+                                    glm::dvec4(-1, 0, edge, 0), glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
         seen = clipped_hull(seen, plane);
     for (glm::dvec3& p : seen) p = {p.x / p.z, p.y / p.z, p.z};
     return seen;
@@ -88,20 +88,20 @@ template <real T = float>
 
     const auto before = detail::seen(frame, detail::corners_of(fit.receivers));
     const detail::extent around = detail::extent_of(before);
-    const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
+    const glm::dvec3 size = detail::greater(glm::abs(around.low), glm::abs(around.high));
     detail::require(around.high.z > closest && is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function,
                     "receivers", "must lie before the light, beyond z_near");
     const auto receivers = detail::tangents(before, edge, closest);
     detail::require(!receivers.empty(), function, "receivers", "must lie in the cone");
     auto [low, high] = detail::extent_of(receivers);
-    const double share(fit.margin), margin = share * glm::max(high.x - low.x, high.y - low.y);
+    const double share(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
     double z_near = low.z;
     if (fit.casters)
-        z_near = glm::min(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
-    z_near = glm::max(z_near * (1.0 - share), closest);
-    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : std::numeric_limits<double>::infinity();
-    const glm::dvec2 first = glm::max(glm::dvec2(low) - margin, -edge),
-                     last = glm::min(glm::dvec2(high) + margin, edge);
+        z_near = detail::lesser(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
+    z_near = detail::greater(z_near * (1.0 - share), closest);
+    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : detail::highest<double>;
+    const glm::dvec2 first = detail::greater(glm::dvec2(low) - margin, glm::dvec2(-edge)),
+                     last = detail::lesser(glm::dvec2(high) + margin, glm::dvec2(edge));
     const glm::dvec2 half = (last - first) * 0.5;
     detail::require(half.x > 0.0 && half.y > 0.0 && z_near < z_far, function, "receivers and margin",
                     "must have some extent in the cone");

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -59,12 +58,12 @@ template <class = on_use>
 }
 
 struct extent {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    glm::dvec3 low{highest<double>}, high{-highest<double>};
 };
 template <class = on_use>
 [[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
     extent e;
-    for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
+    for (const glm::dvec3& p : points) e.low = lesser(e.low, p), e.high = greater(e.high, p);
     return e;
 }
 
@@ -131,7 +130,7 @@ template <class = on_use>
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
     double longest = 0.0;
-    for (std::size_t i = 0; i < hull.size(); ++i) longest = glm::max(longest, glm::distance(hull[i], end_of(i)));
+    for (std::size_t i = 0; i < hull.size(); ++i) longest = greater(longest, glm::distance(hull[i], end_of(i)));
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
         if (glm::length(inwards) <= longest * 0x1p-32) continue;
@@ -150,14 +149,14 @@ template <class = on_use>
     return planes;
 }
 
-/// The least distance along the light of a box's faces within planes; infinite where none is.
+/// The least distance along the light of a box's faces within planes; highest<double> where none is.
 template <class = on_use>
 [[nodiscard]] double nearest(const glm::dmat4& frame, const polyhedron& box, const std::vector<glm::dvec4>& planes) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = highest<double>;
     for (const polyhedron::face& face : box.faces()) {
         std::vector<glm::dvec3> polygon = seen(frame, face.corners);
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = detail::lesser(least, p.z);
+        for (const glm::dvec3& p : polygon) least = lesser(least, p.z);
     }
     return least;
 }

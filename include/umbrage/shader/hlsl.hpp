@@ -20,7 +20,7 @@ namespace umbrage::hlsl {
 
 namespace detail {
 
-inline constexpr glsl::detail::near_language near{.name = "hlsl",
+inline constexpr glsl::detail::near_language akin{.name = "hlsl",
                                                   .own = &glsl::detail::word::hlsl,
                                                   .precise = "precise",
                                                   .function = "",
@@ -111,7 +111,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
     .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(near, s.source.str()).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
     }};
 
 }  // namespace detail

@@ -27,7 +27,7 @@ inline constexpr literal prelude =
 
 namespace detail {
 
-inline constexpr glsl::detail::near_language near{.name = "msl",
+inline constexpr glsl::detail::near_language akin{.name = "msl",
                                                   .own = &glsl::detail::word::msl,
                                                   .precise = "",
                                                   .function = "inline ",
@@ -126,7 +126,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
     .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(near, s.source.str()).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
     }};
 
 }  // namespace detail

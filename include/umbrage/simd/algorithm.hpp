@@ -15,7 +15,7 @@
 
 namespace umbrage::detail {
 
-/// std::min, std::max and std::clamp, by value.
+/// std::min, std::max and std::clamp, by value, by names that no platform's header defines as macros.
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b) {
     return b < a ? b : a;
@@ -24,6 +24,23 @@ template <class T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b) {
     return a < b ? b : a;
 }
+
+/// Of vectors, element by element.
+template <class V>
+concept has_elements = requires {
+    V::length();
+};
+template <has_elements V>
+[[nodiscard]] UMBRAGE_INLINE constexpr V lesser(V a, V b) {
+    for (decltype(V::length()) i = 0; i < V::length(); ++i) a[i] = lesser(a[i], b[i]);
+    return a;
+}
+template <has_elements V>
+[[nodiscard]] UMBRAGE_INLINE constexpr V greater(V a, V b) {
+    for (decltype(V::length()) i = 0; i < V::length(); ++i) a[i] = greater(a[i], b[i]);
+    return a;
+}
+
 template <class T, class... More>
 [[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b, More... more) {
     return lesser(lesser(a, b), more...);

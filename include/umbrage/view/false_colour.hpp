@@ -18,8 +18,8 @@ namespace umbrage {
 /// @formula       3/2 - |4 v - c|, clamped, with c = 3, 2, 1 for red, green, blue
 /// @exactness     B, n = 3: one rounded difference a channel
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> false_colour(T v, T far = T(1)) {
-    const T x = saturate(v, far) * T(4);
+[[nodiscard]] constexpr glm::vec<3, T> false_colour(T v, T cleared = T(1)) {
+    const T x = saturate(v, cleared) * T(4);
     const auto ramp = [x](T peak) {
         const T distance = x < peak ? peak - x : x - peak;
         return saturate(T(1.5) - distance);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The functions over whole images, as tier_a.cpp has the primitives. What comes out is compared with the primitive
-// called one by one, here, and its digest with that of the other builds, by table.cpp.
+// called one by one, here, and its digest with that of the other builds, by table.cpp. Other libraries' encodings are
+// tier B: without -ffast-math they are compared with the primitive of the same build, which may fuse as it likes.
 //
 // Left out: receivers from a camera's depth image are tier C, and blur and tables of floats tier B, of whose sums
 // compilers may fuse or reorder the terms; values whose sums need no rounding stand for those. A box's share and the
@@ -15,8 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <umbrage/depth/rgb24.hpp>
-#include <umbrage/depth/foreign/threejs.hpp>
+#include <umbrage/depth/encodings.hpp>
 #include <umbrage/images/blur.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/min_max.hpp>
@@ -32,7 +32,7 @@ using namespace umbrage;
 
 struct suite : raster_suite {
     template <class Encoding>
-    void codec(const std::string& name, Encoding encoding) const {
+    void codec(const std::string& name, Encoding encoding, agree where = agree::everywhere) const {
         using texel = typename Encoding::texel;
         const auto depths = images<float>(sizes, [](source& s, std::size_t) { return s.depth(); });
         run<texel>(
@@ -40,7 +40,8 @@ struct suite : raster_suite {
             [&](int s, image_view<texel> out, pieces parallel) {
                 const laid_out<float> in(depths[std::size_t(s)], parallel.count % 3);
                 encode(in.view(), out, encoding, parallel);
-            });
+            },
+            where);
         const auto texels = images<texel>(sizes, [](source& s, std::size_t) {
             if constexpr (std::is_same_v<texel, float>) return s.any();
             else return s.bytes<texel::length()>();
@@ -50,7 +51,8 @@ struct suite : raster_suite {
             [&](int s, image_view<float> out, pieces parallel) {
                 const laid_out<texel> in(texels[std::size_t(s)], parallel.count % 3);
                 decode(in.view(), out, encoding, parallel);
-            });
+            },
+            where);
     }
 
     /// Receivers all over the map and around it, on edges, on weights' steps, and wherever coord() goes.
@@ -109,7 +111,7 @@ struct suite : raster_suite {
                 const laid_out<glm::vec3> in(from, parallel.count % 3);
                 visibility(map.view(), encoding, in.view(), filter, out, parallel);
             },
-            box || hierarchical);
+            box || hierarchical ? agree::in_a_mode : agree::everywhere);
     }
 
     void pyramid() const {
@@ -214,6 +216,12 @@ void suite::all() const {
     codec("rgb24", rgb24{});
     codec("float_bits", float_bits{});
     codec("depth32f", depth32f{});
+#ifndef __FAST_MATH__
+    for_each_encoding([&](auto encoding) {
+        if constexpr (!decltype(detail::codec_of(encoding))::exact)
+            codec(std::string(encoding.name), encoding, agree::in_a_build);
+    });
+#endif
 
     visibility_of("hard_rg16", rg<16>{.edge = 0.5f}, filters::hard{});
     visibility_of("four_tap_rg11", rg<11>{}, filters::four_tap{});

@@ -79,12 +79,15 @@ digest digest_of(const T& texel) {
     return d;
 }
 
+/// Which builds agree on a result: all in every mode, all in the same rounding mode, or none, as compilers may fuse.
+enum class agree { everywhere, in_a_mode, in_a_build };
+
 struct image_suite : setting {
     /// @param one    (int case, glm::ivec2 texel) -> T, by the primitive
     /// @param whole  (int case, image_view<T> out, pieces), by the function under test
-    /// @param rounds the result is this rounding mode's own
+    /// @param where  what the digest is compared with; without one, the primitive of the same build alone
     template <class T, class One, class Whole>
-    void run(const std::string& name, One one, Whole whole, bool rounds = false) const {
+    void run(const std::string& name, One one, Whole whole, agree where = agree::everywhere) const {
         const isa best = best_isa();
         digest sum;
         int count = 0, differ = 0;
@@ -119,7 +122,8 @@ struct image_suite : setting {
                          std::to_string(int(what)).c_str(), mode.c_str(), differ);
             all_equal = false;
         }
-        const bool own = rounds && (mode == "upward" || mode == "downward" || mode == "to-zero");
+        if (where == agree::in_a_build) return;
+        const bool own = where == agree::in_a_mode && (mode == "upward" || mode == "downward" || mode == "to-zero");
         setting{what, flush, own ? "itself-" + mode : mode}.print(name, count, sum);
     }
 

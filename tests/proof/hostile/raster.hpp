@@ -62,7 +62,7 @@ struct raster_suite : image_suite {
                     }
                 }
             },
-            true);
+            agree::in_a_mode);
     }
 
     /// Triangles whose corners are on the grid of vertices, over the image and its surroundings.
@@ -154,7 +154,7 @@ struct raster_suite : image_suite {
                 copy(before[std::size_t(s)], out);
                 rasterize_depth(out, {positions, triangles}, matrix, {}, cull_mode::none, parallel);
             },
-            true);
+            agree::in_a_mode);
     }
 };
 

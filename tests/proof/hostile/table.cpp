@@ -2,7 +2,7 @@
 //
 //     hostile PROGRAM REFERENCE BUILD...
 //
-// Runs the builds of a program, tier_a or images, and compares their digests with the reference's, computed by
+// Runs the builds of a program, tier_a, images or fits, and compares their digests with the reference's, computed by
 // strict arithmetic rounding to nearest. Every line must agree, in every rounding mode, but for two things IEEE 754 and
 // flushing machines leave no choice in: rounding downwards, the sign of a zero is not looked at; where denormals are
 // flushed, inputs that are denormal may count as zero.

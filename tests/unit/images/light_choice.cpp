@@ -104,7 +104,7 @@ TEST_CASE("choose_light: points that a map does not hold, or that see it edge on
     const auto with = [&](const auto& seen) { return choose_light<float>(lights, seen, over_ground, 1); };
     CHECK(with(inside).kept == 0);
     CHECK(with(outside).kept == 1);
-    CHECK(with(outside).p95[0] == std::numeric_limits<double>::infinity());
+    CHECK(with(outside).p95[0] == detail::highest<double>);
     for (const auto& none : {with(edge_on), with(std::vector<seen_point>())}) {
         CHECK(none.kept == 1);
         CHECK(none.p95 == std::vector<double>{0, 0});

@@ -2,11 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <stdexcept>
 
 #include <umbrage/images/moment_table.hpp>
 
+#include "../fusing.hpp"
 #include "../special_values.hpp"
 #include "last_piece_first.hpp"
 
@@ -49,8 +51,9 @@ TEST_CASE("summed_visibility of moments: the primitive for each receiver") {
         for (int y = 0; y < 60; ++y)
             for (int x = 0; x < 80; ++x) {
                 const glm::vec3 r = receivers[{x, y}];
-                wrong += out[{x, y}] != summed_moments([&](glm::ivec2 t) { return glm::vec4(table[t]); }, table.size(),
-                                                       glm::vec2(r), r.z, 9.0f, of.bias, cleared_depth(direction));
+                const float wanted = summed_moments([&](glm::ivec2 t) { return glm::vec4(table[t]); }, table.size(),
+                                                    glm::vec2(r), r.z, 9.0f, of.bias, cleared_depth(direction));
+                wrong += std::abs(out[{x, y}] - wanted) > (may_fuse ? 1.0f / 64 : 0.0f);  // fused, as tier C says
             }
         CHECK(wrong == 0);
         const auto with_radius = [&](int radius) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include <umbrage/simd/algorithm.hpp>
 
 namespace detail = umbrage::detail;
@@ -14,6 +16,8 @@ namespace detail = umbrage::detail;
 TEST_CASE("algorithm: lesser, greater, limited, copy and fill") {
     CHECK(detail::lesser(2, 3) == 2);
     CHECK(detail::greater(2, 3) == 3);
+    CHECK(detail::lesser(glm::ivec3(1, 5, 3), glm::ivec3(2, 4, 3)) == glm::ivec3(1, 4, 3));
+    CHECK(detail::greater(glm::ivec3(1, 5, 3), glm::ivec3(2, 4, 3)) == glm::ivec3(2, 5, 3));
     CHECK(detail::limited(-1, 0, 5) == 0);
     CHECK(detail::limited(4, 0, 5) == 4);
     CHECK(detail::limited(6, 0, 5) == 5);

@@ -28,8 +28,8 @@ namespace umbrage {
 /// @exactness     B, n = 6
 /// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_base255(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<4, T> write_base255(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     const T x = v - std::floor(v);
     const T y = v * T(255) - std::floor(v * T(255));
     const T z = v * T(65025) - std::floor(v * T(65025));
@@ -50,8 +50,8 @@ template <real T>
 /// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
 /// @exactness     B, n = 7
 template <real T>
-[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T far = T(1)) {
-    T rest = saturate(depth, far) * T(255);
+[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T cleared = T(1)) {
+    T rest = saturate(depth, cleared) * T(255);
     glm::u8vec4 digits(0);
     for (glm::length_t i = 0; i < 4; ++i) {
         const T digit = std::floor(rest);

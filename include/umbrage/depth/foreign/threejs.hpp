@@ -33,8 +33,8 @@ namespace umbrage {
 /// @exactness     B, n = 5
 /// @cite          three.js r167 and later, packing chunk (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     if (!(v < T(1))) return glm::vec<4, T>(1);
     const T x = v * T(16777216);
     const T whole = std::floor(x);
@@ -54,8 +54,8 @@ template <real T>
 
 /// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
 template <real T>
-[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     if (!(v < T(1))) return glm::vec<3, T>(1);
     const T x = v * T(65536);
     const T whole = std::floor(x);
@@ -71,8 +71,8 @@ template <real T>
 
 /// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
 template <real T>
-[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     if (!(v < T(1))) return glm::vec<2, T>(1);
     const T x = v * T(256);
     const T whole = std::floor(x);

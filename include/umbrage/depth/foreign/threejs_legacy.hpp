@@ -29,8 +29,8 @@ namespace umbrage {
 /// @exactness     B, n = 7
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     const T x = v * T(16777216) - std::floor(v * T(16777216));
     const T y = v * T(65536) - std::floor(v * T(65536));
     const T z = v * T(256) - std::floor(v * T(256));
@@ -49,8 +49,8 @@ template <real T>
 /// @return        integer channels 0..255 (to_unorm writes them), A most significant
 /// @exactness     A
 template <real T>
-[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     if (!(v < T(1))) return glm::u8vec4(255);
     const std::uint32_t x = to_code<24>(v);
     return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),

@@ -13,6 +13,7 @@
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -49,8 +50,8 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const T z = distance_code(receiver, is_lit), widest = penumbra(z, softness);
     const glm::vec<2, T> found = blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, widest, turn, is_lit);
-    const T mean = floor_divide(found.y, glm::max(found.x, T(1)));
-    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), glm::max(widest, T(1)));
+    const T mean = floor_divide(found.y, detail::greater(found.x, T(1)));
+    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), detail::greater(widest, T(1)));
     return T(1) - hardened<Points>(found.x, ratio);
 }
 

@@ -22,6 +22,7 @@
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -41,7 +42,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param coord      receiver in texels; outside texel space, or NaN: none found
 /// @param receiver   depth, biased as for the filter; beyond the far plane: none found; NaN has all before it
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
-/// @param turn       as disc_turn gives it
+/// @param turn       as disc_turn gives it; not a number: none found
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
 /// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at
@@ -52,8 +53,10 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return found;
     const T rho = clamped_disc_radius(radius);
     for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::ivec2 texel(glm::floor(disc_position(coord, glm::vec<2, T>(point), turn, rho)));
-        const auto stored = T(fetch(texel));
+        const glm::vec<2, T> at = disc_position(coord, glm::vec<2, T>(point), turn, rho);
+        const T reached = glm::abs(at.x) + glm::abs(at.y);
+        if (is_nan(reached) || reached >= T(1 << 17)) continue;  // no turn that disc_turn gives
+        const auto stored = T(fetch(glm::ivec2(glm::floor(at))));
         if (!is_lit(receiver, stored)) found += glm::vec<2, T>(T(1), stored);
     }
     return found;
@@ -73,7 +76,7 @@ template <real T, class Compare = less_equal>
     const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
     const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
     const T least = softness.y * T(0.0625);
-    return radius > least ? glm::min(radius, softness.z * T(0.0625)) : least;
+    return radius > least ? detail::lesser(radius, softness.z * T(0.0625)) : least;
 }
 
 /// @tparam Points    8, 16 or 32, of the search and of the filter

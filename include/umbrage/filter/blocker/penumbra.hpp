@@ -24,6 +24,7 @@
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/floor_divide.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -85,7 +86,7 @@ template <real T, class Compare = less_equal>
 template <real T>
 [[nodiscard]] T penumbra(T apart, glm::vec<3, T> softness) {
     const T radius = std::floor(apart * softness.x);
-    return glm::min(glm::max(radius, softness.y), softness.z);
+    return detail::lesser(detail::greater(radius, softness.y), softness.z);
 }
 
 /// A texel's part in the search for blockers.

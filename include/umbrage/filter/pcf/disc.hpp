@@ -26,7 +26,8 @@ struct disc_point {
 
 /// A disc's points, in 1/16 of its radius.
 template <int Points>
-requires(Points == 8 || Points == 16 || Points == 32) inline constexpr std::array<disc_point, Points> disc_points{};
+requires(Points == 8 || Points == 16 ||
+         Points == 32) inline constexpr std::array<disc_point, std::size_t(Points)> disc_points{};
 template <>
 inline constexpr std::array<disc_point, 8> disc_points<8>{
     {{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};

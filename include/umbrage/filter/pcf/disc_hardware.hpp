@@ -13,13 +13,14 @@
 
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
 /// A disc's radius as hardware forms take it: clamped to [0, 255.9375], 0 for NaN.
 template <real T>
 [[nodiscard]] constexpr T clamped_disc_radius(T radius) {
-    return radius > T(0) ? glm::min(radius, T(max_disc_radius)) : T(0);
+    return radius > T(0) ? detail::lesser(radius, T(max_disc_radius)) : T(0);
 }
 
 /// Where a point of a disc lies.

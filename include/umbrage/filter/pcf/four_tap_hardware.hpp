@@ -26,8 +26,8 @@ template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T four_tap_hardware(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> a, glm::vec<2, T> b,
                                   glm::vec<2, T> c, glm::vec<2, T> d, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> sum = (glm::abs(a) + glm::abs(b) + glm::abs(c) + glm::abs(d)) * size;
-    const T far = sum.x + sum.y;
-    if (is_nan(far) || far >= T(1 << 17) || beyond_far(receiver, is_lit)) return T(1);
+    const T reached = sum.x + sum.y;
+    if (is_nan(reached) || reached >= T(1 << 17) || beyond_far(receiver, is_lit)) return T(1);
     T count(0);
     for (const glm::vec<2, T>& uv : {a, b, c, d}) count += compare(receiver, depth_at(fetch, size, uv), is_lit);
     return count * T(0.25);

@@ -15,6 +15,7 @@
 
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -49,7 +50,7 @@ template <real T, class Fetch, class Compare = less_equal>
     for (int j = 0; j <= row.size; ++j)
         for (int i = 0; i <= row.size; ++i)
             sum += weight(i, s.x) * weight(j, s.y) * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
-    return glm::min(sum / (whole * whole), T(1));  // weights round
+    return detail::lesser(sum / (whole * whole), T(1));  // weights round
 }
 
 namespace glsl {

@@ -20,12 +20,12 @@
 namespace umbrage {
 
 /// Depth that grows with the distance from the light, whichever way the map's does: prefiltered maps hold it.
-/// @param far       1, or 0 where depth is reversed
+/// @param cleared   1, or 0 where depth is reversed
 /// @formula         1 - depth where depth is reversed, else depth
 /// @exactness       B, n = 1
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T forward_depth(T depth, T far = T(1)) {
-    return detail::pick(far < T(0.5), T(1) - depth, depth);
+[[nodiscard]] UMBRAGE_INLINE constexpr T forward_depth(T depth, T cleared = T(1)) {
+    return detail::pick(cleared < T(0.5), T(1) - depth, depth);
 }
 
 /// Share of depths that may be as far as the receiver or farther, at most.

@@ -15,6 +15,7 @@
 
 #include <umbrage/filter/prefiltered/evsm.hpp>
 #include <umbrage/filter/prefiltered/vsm.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -52,10 +53,11 @@ template <real T>
 ///                       sqrt(min_variance), which the cut doubles; and chebyshev_hardware
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
-[[nodiscard]] constexpr T decode_vsm_hardware(glm::vec<2, T> held, T receiver, T min_variance, T amount, T far = T(1)) {
+[[nodiscard]] constexpr T decode_vsm_hardware(glm::vec<2, T> held, T receiver, T min_variance, T amount,
+                                              T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T variance = glm::max(held.y * held.y * T(0.25), min_variance);
-    return chebyshev_hardware(variance, forward_depth(receiver, far) - held.x, amount);
+    const T variance = detail::greater(held.y * held.y * T(0.25), min_variance);
+    return chebyshev_hardware(variance, forward_depth(receiver, cleared) - held.x, amount);
 }
 
 /// @param m           mean of encode_evsm2's texels; no NaN
@@ -72,10 +74,10 @@ template <real T>
 /// @cite              Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] constexpr T decode_evsm2_hardware(glm::vec<2, T> m, T receiver, T exponent, T deviation, T amount,
-                                                T far = T(1)) {
+                                                T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T w = warp_depth(forward_depth(glm::clamp(receiver, T(0), T(1)), far), exponent), least = deviation * w;
-    return chebyshev_hardware(glm::max(m.y - m.x * m.x, least * least), w - m.x, amount);
+    const T w = warp_depth(forward_depth(glm::clamp(receiver, T(0), T(1)), cleared), exponent), least = deviation * w;
+    return chebyshev_hardware(detail::greater(m.y - m.x * m.x, least * least), w - m.x, amount);
 }
 
 /// @param m           mean of encode_evsm4's texels; no NaN
@@ -84,14 +86,14 @@ template <real T>
 /// @exactness         C, within 1/64 in a shader, as decode_evsm2_hardware
 template <real T>
 [[nodiscard]] constexpr T decode_evsm4_hardware(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
-                                                glm::vec<2, T> deviations, T amount, T far = T(1)) {
+                                                glm::vec<2, T> deviations, T amount, T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T d = forward_depth(glm::clamp(receiver, T(0), T(1)), far);
+    const T d = forward_depth(glm::clamp(receiver, T(0), T(1)), cleared);
     const T w = warp_depth(d, exponents.x), n = T(0) - warp_depth(d, T(0) - exponents.y);
     const T least_w = deviations.x * w, least_n = deviations.y * n;
-    const T a = chebyshev_hardware(glm::max(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
-    const T b = chebyshev_hardware(glm::max(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
-    return glm::min(a, b);
+    const T a = chebyshev_hardware(detail::greater(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
+    const T b = chebyshev_hardware(detail::greater(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
+    return detail::lesser(a, b);
 }
 
 namespace glsl {

@@ -35,8 +35,8 @@ template <real T>
 /// @formula         warp_depth(forward_depth)
 /// @exactness       B, n = 36
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T far = T(1)) {
-    return warp_depth(forward_depth(saturate(depth, far), far), exponent);
+[[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T cleared = T(1)) {
+    return warp_depth(forward_depth(saturate(depth, cleared), cleared), exponent);
 }
 
 /// @param m         mean of texels; NaN is in shadow
@@ -47,8 +47,8 @@ template <real T>
 ///                  each off by 1.8e-7 of it, and their product
 /// @cite            Annen et al.: Exponential shadow maps, Graphics Interface 2008
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T far = T(1)) {
-    const T d = forward_depth(receiver, far);
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T cleared = T(1)) {
+    const T d = forward_depth(receiver, cleared);
     const T p = m * warp_depth(d, -exponent);
     const T lit = detail::pick(p < T(1), p, T(1));
     return detail::pick(bool(int(p > T(0)) & int(!is_nan(p)) & int(!is_nan(d))), lit, T(0));

@@ -24,8 +24,8 @@ namespace umbrage {
 /// @formula         (w, w^2), w = warp_depth(forward_depth)
 /// @exactness       B, n = 73
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T far = T(1)) {
-    const T w = warp_depth(forward_depth(saturate(depth, far), far), exponent);
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T cleared = T(1)) {
+    const T w = warp_depth(forward_depth(saturate(depth, cleared), cleared), exponent);
     return {w, w * w};
 }
 
@@ -34,8 +34,9 @@ template <real T>
 /// @formula          (w, w^2, n, n^2), w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y)
 /// @exactness        B, n = 73
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents, T far = T(1)) {
-    const T d = forward_depth(saturate(depth, far), far);
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents,
+                                                                   T cleared = T(1)) {
+    const T d = forward_depth(saturate(depth, cleared), cleared);
     const T w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y);
     return {w, w * w, n, n * n};
 }
@@ -62,8 +63,8 @@ template <real T>
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
-                                                      T far = T(1)) {
-    const T d = forward_depth(saturate(receiver, far), far);
+                                                      T cleared = T(1)) {
+    const T d = forward_depth(saturate(receiver, cleared), cleared);
     const T lit = detail::warped_chebyshev(m, warp_depth(d, exponent), deviation);
     return detail::pick(is_nan(receiver), T(0), lit);
 }
@@ -77,8 +78,8 @@ template <real T>
 /// @exactness         C, n = 229: a division
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
-                                                      glm::vec<2, T> deviations, T far = T(1)) {
-    const T d = forward_depth(saturate(receiver, far), far);
+                                                      glm::vec<2, T> deviations, T cleared = T(1)) {
+    const T d = forward_depth(saturate(receiver, cleared), cleared);
     const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), warp_depth(d, exponents.x), deviations.x);
     const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -warp_depth(d, -exponents.y), deviations.y);
     return detail::pick(is_nan(receiver), T(0), detail::pick(a < b, a, b));

@@ -16,6 +16,7 @@
 #include <umbrage/config.hpp>
 #include <umbrage/shader/snippet.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -80,7 +81,8 @@ template <real T>
 template <real T>
 [[nodiscard]] T exp2_steps(T y) {
     const T x = std::floor(detail::clamp_exponent(y) * T(2048));
-    const T n = std::floor(x * T(0x1p-11)), f = std::max(x - n * T(2048), T(0));  // no sum is regrouped across it
+    const T n = std::floor(x * T(0x1p-11)),
+            f = detail::greater(x - n * T(2048), T(0));  // no sum is regrouped across it
     const T g = std::floor(f * (T(2048) - f) * T(0x1p-8)), r = T(1251) + std::floor(f * T(314) * T(0x1p-11));
     const T m = T(2048) + f - std::floor((g * r + T(16384)) * T(0x1p-15));
     return m * T(0x1p-11) * power_of_two(n);

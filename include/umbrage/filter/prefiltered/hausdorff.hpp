@@ -67,8 +67,9 @@ template <real T>
 /// @exactness       C: within 1/64 in a shader
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
-[[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    return detail::lit_within(decode_msm(b, receiver, bias, far), bias_moments(b, bias), forward_depth(receiver, far));
+[[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::lit_within(decode_msm(b, receiver, bias, cleared), bias_moments(b, bias),
+                              forward_depth(receiver, cleared));
 }
 
 namespace glsl {

@@ -42,8 +42,8 @@ namespace detail {
 
 /// What look-ups share: who is not compared is lit.
 template <real T, class Fetch, class Decode>
-[[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T far, const Decode& decode) {
-    const comparison is_lit{far < T(0.5) ? depth_direction::reversed : depth_direction::forward};
+[[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T cleared, const Decode& decode) {
+    const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
     return is_compared(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
 }
 
@@ -55,57 +55,58 @@ template <real T, class Fetch, class Decode>
 /// @formula          decode_vsm of fetch_bilinear
 /// @exactness        C, n = 109: a division
 template <real T, class Fetch>
-[[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<2, T> m) { return decode_vsm(m, receiver, min_variance, far); });
+[[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<2, T> m) { return decode_vsm(m, receiver, min_variance, cleared); });
 }
 
 /// As vsm, of texels of encode_esm.
 /// @exactness        B, n = 49
 template <real T, class Fetch>
-[[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far, [&](T m) { return decode_esm(m, receiver, exponent, far); });
+[[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](T m) { return decode_esm(m, receiver, exponent, cleared); });
 }
 
 /// As vsm, of texels of encode_evsm2.
 /// @exactness        C, n = 139: a division
 template <real T, class Fetch>
-[[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<2, T> m) { return decode_evsm2(m, receiver, exponent, deviation, far); });
+[[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<2, T> m) { return decode_evsm2(m, receiver, exponent, deviation, cleared); });
 }
 
 /// As vsm, of texels of encode_evsm4.
 /// @exactness        C, n = 139: a division
 template <real T, class Fetch>
 [[nodiscard]] T evsm4(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> exponents,
-                      glm::vec<2, T> deviations, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<4, T> m) { return decode_evsm4(m, receiver, exponents, deviations, far); });
+                      glm::vec<2, T> deviations, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<4, T> m) { return decode_evsm4(m, receiver, exponents, deviations, cleared); });
 }
 
 /// As vsm, of texels of encode_msm.
 /// @exactness        C: within 1/64 in a shader
 template <real T, class Fetch>
-[[nodiscard]] T msm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<4, T> b) { return decode_msm(b, receiver, bias, far); });
+[[nodiscard]] T msm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<4, T> b) { return decode_msm(b, receiver, bias, cleared); });
 }
 
 /// As vsm, of texels of turn_moments(encode_msm).
 /// @exactness        C: within 1/64 in a shader
 template <real T, class Fetch>
-[[nodiscard]] T msm_turned(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<4, T> o) { return decode_msm(turn_moments_back(o), receiver, bias, far); });
+[[nodiscard]] T msm_turned(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<4, T> o) { return decode_msm(turn_moments_back(o), receiver, bias, cleared); });
 }
 
 /// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
 /// @exactness        C, n = 22861: as decode_msm_hausdorff
 template <real T, class Fetch>
-[[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<4, T> b) { return decode_msm_hausdorff(b, receiver, bias, far); });
+[[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<4, T> b) { return decode_msm_hausdorff(b, receiver, bias, cleared); });
 }
 
 namespace glsl {

@@ -29,14 +29,14 @@ inline const glm::vec2 msm_bias_32{3e-6f, 0.375f};  ///< of floats of 32 bits
 inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< of four channels of 16 bits, turned
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1, 1, 1)
-/// @param far       1, or 0 where depth is reversed
+/// @param cleared   1, or 0 where depth is reversed
 /// @formula         (z, z^2, z^3, z^4), z = 2 forward_depth - 1
 /// @exactness       B, n = 15
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015; on [-1, 1]: Peters et al.: Improved moment shadow
 ///                  maps for translucent occluders, soft shadows and single scattering, JCGT 2017
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_msm(T depth, T far = T(1)) {
-    const T z = forward_depth(saturate(depth, far), far) * T(2) - T(1);
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_msm(T depth, T cleared = T(1)) {
+    const T z = forward_depth(saturate(depth, cleared), cleared) * T(2) - T(1);
     const T square = z * z;
     return {z, square, square * z, square * square};
 }
@@ -147,8 +147,8 @@ template <real T>
 ///                  share of 1e-4 towards 0.375, 0.9 with msm_bias_32, of which it says little
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
-[[nodiscard]] T decode_msm(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    const T d = forward_depth(receiver, far);
+[[nodiscard]] T decode_msm(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    const T d = forward_depth(receiver, cleared);
     const glm::vec<4, T> m = bias_moments(b, bias);
     const T x = detail::moment_depth(d) - m.x;
     return detail::lit_by_atoms(moment_atoms(m, x), x, d);

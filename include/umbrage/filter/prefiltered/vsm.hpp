@@ -22,12 +22,12 @@
 namespace umbrage {
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1)
-/// @param far       1, or 0 where depth is reversed
+/// @param cleared   1, or 0 where depth is reversed
 /// @formula         (d, d^2), d = forward_depth
 /// @exactness       B, n = 3
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T far = T(1)) {
-    const T d = forward_depth(saturate(depth, far), far);
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T cleared = T(1)) {
+    const T d = forward_depth(saturate(depth, cleared), cleared);
     return {d, d * d};
 }
 
@@ -40,8 +40,8 @@ template <real T>
 /// @exactness            C, n = 13: a division
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T far = T(1)) {
-    return chebyshev(m, forward_depth(receiver, far), min_variance);
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T cleared = T(1)) {
+    return chebyshev(m, forward_depth(receiver, cleared), min_variance);
 }
 
 /// @param m         mean of the depths, mean of their squares

@@ -16,6 +16,7 @@
 
 #include <umbrage/filter/prefiltered/msm.hpp>
 #include <umbrage/filter/texel_space.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -56,15 +57,16 @@ template <real T, class Fetch>
 ///                   SIGGRAPH 1984
 template <real T, class Fetch>
 [[nodiscard]] T summed_moments(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius,
-                               glm::vec<2, T> bias, T far = T(1)) {
-    const comparison is_lit{far < T(0.5) ? depth_direction::reversed : depth_direction::forward};
+                               glm::vec<2, T> bias, T cleared = T(1)) {
+    const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
     const int reach = static_cast<int>(radius);
-    const glm::ivec2 first = glm::max(texel - reach, glm::ivec2(0)), end = glm::min(texel + reach + 1, map);
+    const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
+                     end = detail::lesser(texel + reach + 1, map);
     const glm::vec<4, T> turned = box_mean<T>(table, size.x / 2, first, end) * T(1.0 / 65535.0);
-    return decode_msm(turn_moments_back(turned), receiver, bias, far);
+    return decode_msm(turn_moments_back(turned), receiver, bias, cleared);
 }
 
 namespace glsl {

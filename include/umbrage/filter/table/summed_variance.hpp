@@ -17,6 +17,7 @@
 
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/floor_divide.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -38,8 +39,9 @@ template <real T, class Fetch>
     const T carry_1 = glm::floor(part.x * T(1.0 / 65536.0)), carry_2 = glm::floor(part.z * T(1.0 / 65536.0));
     const T above_1 = part.y + carry_1, above_2 = part.w + carry_2;
     // Nothing below is negative; compilers cannot regroup sums across a max.
-    const T low_1 = glm::max(part.x - carry_1 * T(65536), T(0)), low_2 = glm::max(part.z - carry_2 * T(65536), T(0));
-    const T high_1 = glm::max(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));
+    const T low_1 = detail::greater(part.x - carry_1 * T(65536), T(0)),
+            low_2 = detail::greater(part.z - carry_2 * T(65536), T(0));
+    const T high_1 = detail::greater(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));
     const T sum = high_1 * T(65536) + low_1;
     const T high_2 = above_2 - glm::floor(above_2 * T(1.0 / 65536.0)) * T(65536);
     const glm::vec<2, T> sides(end - first);
@@ -72,7 +74,8 @@ template <real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
     const int reach = static_cast<int>(radius);
-    const glm::ivec2 first = glm::max(texel - reach, glm::ivec2(0)), end = glm::min(texel + reach + 1, size);
+    const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
+                     end = detail::lesser(texel + reach + 1, size);
     const glm::vec<4, T> m = box_moments<T>(table, first, end);
     const T n = T((end.x - first.x) * (end.y - first.y)), share = m.y / n;
     const T variance = (m.z * T(4096) + (m.w - m.y)) / n + share * (T(1) - share);

@@ -94,7 +94,7 @@ template <class = detail::on_use>
     for (const page_receiver& r : receivers) {
         const int level = detail::wanted_level(r, target, deepest_level);
         if (level < 0) continue;
-        detail::add(page_at(r.coord, level), pages);
+        detail::add(page_at(glm::dvec2(r.coord), level), pages);
     }
     detail::tidy(pages);
     return pages;
@@ -261,10 +261,10 @@ private:
         std::vector<page> pops;
         for (const page_receiver& r : receivers) {
             const int asked = detail::wanted_level(r, budget_.target, budget_.deepest_level);
-            const int found = asked < 0 ? asked : level_at(r.coord);
+            const int found = asked < 0 ? asked : level_at(glm::dvec2(r.coord));
             if (found >= asked) continue;
             for (int level = budget_.deepest_level; level > found; --level) {
-                const page p = page_at(r.coord, level);
+                const page p = page_at(glm::dvec2(r.coord), level);
                 const std::size_t at = detail::count_in_front(given_up, [&](const page& other) { return other < p; });
                 if (at == given_up.size() || given_up[at] != p) continue;
                 detail::add(p, pops);

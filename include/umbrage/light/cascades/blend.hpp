@@ -15,6 +15,7 @@
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/shader/snippet.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -52,7 +53,7 @@ template <real T>
         const T beyond = glm::abs(c - h) - (h - reach);
         return cascade_weight(beyond * per_texel + T(1));
     };
-    return glm::max(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
+    return detail::greater(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
 }
 
 /// Two cascades' visibilities, mixed.

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
@@ -137,13 +136,14 @@ template <std::size_t Count, real T>
                                                                  const std::array<T, Count + 1>& splits) {
     auto all = detail::make_cascades<Count>(fit, splits, "make_stable_cascades", [&](const frustum<double>& part) {
         const double around = double(fit.margin);
-        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
-                                              .up = glm::dvec3(fit.up),
-                                              .receivers = sphere_around(part),
-                                              .casters = bounding_box<double>{fit.scene.low, fit.scene.high},
-                                              .margin = around / (fit.map_size - 1 - 2 * around),
-                                              .snap_texels = fit.map_size,
-                                              .clip = fit.clip});
+        return fit_directional_light<double>(
+            {.direction = glm::dvec3(fit.direction),
+             .up = glm::dvec3(fit.up),
+             .receivers = sphere_around(part),
+             .casters = bounding_box<double>{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)},
+             .margin = around / (fit.map_size - 1 - 2 * around),
+             .snap_texels = fit.map_size,
+             .clip = fit.clip});
     });
     for (cascade<T>& c : all)
         for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
@@ -157,7 +157,7 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
                                                                 const std::array<T, Count + 1>& splits) {
     return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
-        const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
         return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
                                               .up = glm::dvec3(fit.up),
                                               .receivers = detail::receivers_of(part, scene),
@@ -185,7 +185,7 @@ template <real T, std::size_t Count>
     detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
     cascade_uniforms<T> u;
     u.rotation = cascades[0].light.view;
-    u.ends = glm::vec<3, T>(std::numeric_limits<T>::max());
+    u.ends = glm::vec<3, T>(detail::highest<T>);
     for (glm::length_t i = 0; i < 4; ++i) {
         if (i >= static_cast<glm::length_t>(Count)) {
             u.offsets[i] = {T(65536), T(65536), T(0), T(0)};

@@ -38,7 +38,7 @@ template <std::size_t Count, real T, class Warp>
                                                                       const std::array<T, Count + 1>& splits,
                                                                       Warp&& warp) {
     constexpr auto function = "make_warped_cascades";
-    const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+    const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
     const auto parts = detail::camera_parts<Count>(fit, splits, function);
     std::array<warped_light<T>, Count> all;
     for (std::size_t i = 0; i < Count; ++i) {

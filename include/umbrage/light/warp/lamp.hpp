@@ -17,6 +17,7 @@
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -49,7 +50,7 @@ template <real T>
             "must lie before the light, beyond z_near");
     if (!fit.casters) return v;
     double edge = 1.0;
-    for (const glm::dvec3& p : receivers) edge = glm::max(edge, glm::max(glm::abs(p.x), glm::abs(p.y)) / p.z);
+    for (const glm::dvec3& p : receivers) edge = greater(edge, greater(glm::abs(p.x), glm::abs(p.y)) / p.z);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
     v.casters = intersection(all, *fit.casters);
     return v;

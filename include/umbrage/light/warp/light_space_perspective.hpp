@@ -11,7 +11,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -24,6 +23,7 @@
 #include <umbrage/config.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 namespace detail {
@@ -53,19 +53,19 @@ template <real T>
     v.first = {own.x, low.y, glm::clamp(own.z, low.z, high.z)};
     v.length = high.y - low.y;
     v.camera_y = own.y;
-    v.closest = std::numeric_limits<double>::infinity();
-    for (const glm::dvec3& p : receivers) v.closest = glm::min(v.closest, glm::dot(p - eye, view));
-    v.closest = glm::max(v.closest, double(fit.camera.z_near));
+    v.closest = highest<double>;
+    for (const glm::dvec3& p : receivers) v.closest = lesser(v.closest, glm::dot(p - eye, view));
+    v.closest = greater(v.closest, double(fit.camera.z_near));
     return v;
 }
 
 /// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
 [[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
 
-/// @return   infinite where camera and light look one way
+/// @return   highest<double> where camera and light look one way
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    return v.sine > 0.0 ? n : std::numeric_limits<double>::infinity();
+    return v.sine > 0.0 ? n : highest<double>;
 }
 
 /// Near the best on a ground.
@@ -77,7 +77,7 @@ template <real T>
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
     const double nearest = v.length * 0x1p-14;  // float holds no more
-    const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
+    const double bend = share_of_warp(v.sine) / greater(n, nearest);
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
@@ -96,14 +96,16 @@ template <real T>
 
 /// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
 /// camera's frustum is least: the mildest warp that is of use.
-/// @return      world units along the camera's view, across the light; infinite where camera and light look one way
+/// @return      world units along the camera's view, across the light; the highest number where camera and
+///              light look one way
 /// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
 ///              view, d their extent along it across the light, t the angle between view and light
 /// @throws std::invalid_argument  as fit_light_space_perspective does
 /// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
-    return T(detail::optimal_distance(detail::make_along_view(fit, "optimal_distance")));
+    const double distance = detail::optimal_distance(detail::make_along_view(fit, "optimal_distance"));
+    return T(detail::lesser(distance, double(detail::highest<T>)));
 }
 
 /// The map of a directional light, warped along the camera's view.

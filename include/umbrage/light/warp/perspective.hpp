@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -34,6 +33,7 @@
 #include <umbrage/light/warp/lamp.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -57,13 +57,13 @@ template <real T>
 [[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
                                    const char* function) {
     const glm::dvec3 eye(camera.position), ahead = axes(camera)[2];
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    double least = highest<double>, greatest = -least;
     for (const glm::dvec3& p : points) {
         const double z = glm::dot(p - eye, ahead);
-        least = glm::min(least, z), greatest = glm::max(greatest, z);
+        least = lesser(least, z), greatest = greater(greatest, z);
     }
-    const double back = slide - glm::min(least, 0.0), z_near = least + back;
-    const double z_far = glm::max(greatest + back, z_near * (1.0 + 0x1p-8));
+    const double back = slide - lesser(least, 0.0), z_near = least + back;
+    const double z_far = greater(greatest + back, z_near * (1.0 + 0x1p-8));
     require(is_finite(z_far), function, "receivers", "lie too far from the camera");
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
@@ -74,7 +74,7 @@ template <real T>
 
 /// The least and the greatest of angles under which points lie, in x and in y, z ahead.
 struct angles {
-    glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    glm::dvec2 low{highest<double>}, high{-highest<double>};
     bool all_ahead = true;  ///< false where one of them does not lie ahead, and nothing else is told
 };
 template <class = on_use>
@@ -83,7 +83,7 @@ template <class = on_use>
     for (const glm::dvec3& p : points) {
         if (!(p.z > 0.0)) return {.all_ahead = false};
         const glm::dvec2 angle(std::atan2(p.x, p.z), std::atan2(p.y, p.z));
-        a.low = glm::min(a.low, angle), a.high = glm::max(a.high, angle);
+        a.low = lesser(a.low, angle), a.high = greater(a.high, angle);
     }
     return a;
 }
@@ -134,7 +134,7 @@ template <class = on_use>
     const angles seen = angles_of(ahead);
     if (!seen.all_ahead) return {rays, std::numbers::pi};
     const glm::dvec2 opening = seen.high - seen.low;
-    return {rays, glm::max(opening.x, opening.y)};
+    return {rays, greater(opening.x, opening.y)};
 }
 
 /// How much of a map stands in for one that opens so wide: all of it from 150 degrees on, none up to 120.
@@ -148,14 +148,14 @@ template <class = on_use>
 template <class = on_use>
 [[nodiscard]] glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
     extent box;
-    double least = std::numeric_limits<double>::infinity();
+    double least = highest<double>;
     for (const glm::dvec3& p : corners_of(receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-        box.low = glm::min(box.low, glm::dvec3(h) / h.w), box.high = glm::max(box.high, glm::dvec3(h) / h.w);
-        least = glm::min(least, h.w);
+        box.low = lesser(box.low, glm::dvec3(h) / h.w), box.high = greater(box.high, glm::dvec3(h) / h.w);
+        least = lesser(least, h.w);
     }
     const glm::dvec3 size = box.high - box.low;
-    glm::dvec3 scale = 2.0 / glm::max(size, 0x1p-8 * glm::max(glm::max(size.x, size.y), size.z));
+    glm::dvec3 scale = 2.0 / greater(size, glm::dvec3(0x1p-8 * greater(size.x, size.y, size.z)));
     if (glm::determinant(to_map) < 0.0) scale.x = -scale.x;
     glm::dmat4 placed(1.0);
     for (glm::length_t i = 0; i < 3; ++i)
@@ -181,8 +181,8 @@ template <real T, class Instead>
         const glm::dvec4 h = to_ndc * glm::dvec4(p, 1.0);
         in_ndc.push_back(glm::dvec3(h) / h.w);
     }
-    const bool far = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
-    const auto middle = far ? glm::dvec3(0) : aim(glm::dvec3(image) / image.w, in_ndc, function);
+    const bool at_infinity = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
+    const auto middle = at_infinity ? glm::dvec3(0) : aim(glm::dvec3(image) / image.w, in_ndc, function);
     if (middle) {
         const auto [low, high] = extent_of(in_ndc);
         const glm::dvec4 y = to_ndc * glm::dvec4(frame[0][1], frame[1][1], frame[2][1], 0.0);
@@ -195,7 +195,9 @@ template <real T, class Instead>
             to_map = (1.0 - share) * filled(to_map, fit.receivers) + share * filled(stand_in, fit.receivers);
         const auto warped = share < 1.0 ? refit(to_map, fit, casters, function) : std::nullopt;
         if (warped)
-            return {*warped, far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink};
+            return {*warped, at_infinity   ? light_image::parallel
+                             : image.w > 0 ? light_image::source
+                                           : light_image::sink};
     }
     return {instead(), light_image::none};
 }

@@ -9,7 +9,6 @@
 //
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -25,6 +24,7 @@
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/lamp.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -76,10 +76,10 @@ template <real T>
     rows[3] = row(camera[2]);
     const glm::dmat4 to_map = glm::transpose(rows);
 
-    double least = std::numeric_limits<double>::infinity(), greatest = 0.0;
+    double least = highest<double>, greatest = 0.0;
     for (const glm::dvec3& p : seen) {
         const double w = (to_map * glm::dvec4(p, 1.0)).w;
-        least = glm::min(least, w), greatest = glm::max(greatest, w);
+        least = lesser(least, w), greatest = greater(greatest, w);
     }
     const double eye = glm::dot(ground, glm::dvec4(glm::dvec3(fit.camera.position), 1.0));
     require(least > 0.0 && glm::abs(eye) > 1e-6 * greatest, function, "plane",
@@ -94,8 +94,8 @@ template <real T>
                                             {0, -1, 0, edge},
                                             glm::dvec4(0, 0, 0, 1) - share * least,
                                             share * greatest - glm::dvec4(0, 0, 0, 1)});
-    extent box{glm::dvec3(-edge, -edge, glm::min(0.0, swept.x)), glm::dvec3(edge, edge, glm::max(0.0, swept.y))};
-    const double deep = glm::max(double(fit.margin), 0x1p-8) * glm::max(box.high.z - box.low.z, 1.0);
+    extent box{glm::dvec3(-edge, -edge, lesser(0.0, swept.x)), glm::dvec3(edge, edge, greater(0.0, swept.y))};
+    const double deep = greater(double(fit.margin), 0x1p-8) * greater(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "give too large or too small a map");

@@ -16,7 +16,6 @@
 // texel at the corners of that view; points told from the camera lose least.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -32,6 +31,7 @@
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
+#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 
@@ -76,22 +76,21 @@ template <real T>
     return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
 }
 
-/// Least and greatest depth in a map of a body within planes of the map's space; infinity and -infinity where there is
-/// none of it.
-/// @return   -infinity and infinity, around which no map can be laid, where some of it does not lie before w = 0
+/// Least and greatest depth in a map of a body within planes of the map's space.
+/// @return   highest and -highest where there is none of it; -highest and highest, around which no map can be laid,
+///           where some of it does not lie in front of w = 0
 template <class = on_use>
 [[nodiscard]] glm::dvec2 depths_within(const glm::dmat4& to_map, const polyhedron& body,
                                        std::vector<glm::dvec4> planes) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
-    double least = infinity, greatest = -infinity;
+    double least = highest<double>, greatest = -least;
     for (const polyhedron::face& face : body.faces()) {
         std::vector<glm::dvec3> polygon = face.corners;
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
         for (const glm::dvec3& p : polygon) {
             const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-            if (!(h.w > 0.0)) return {-infinity, infinity};
-            least = glm::min(least, h.z / h.w), greatest = glm::max(greatest, h.z / h.w);
+            if (!(h.w > 0.0)) return {-highest<double>, highest<double>};
+            least = lesser(least, h.z / h.w), greatest = greater(greatest, h.z / h.w);
         }
     }
     return {least, greatest};
@@ -131,20 +130,20 @@ template <real T>
 [[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
                                                    const polyhedron& casters, const char* function) {
     std::vector<glm::dvec3> receivers;
-    double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
+    double least_w = highest<double>, greatest_w = 0.0;
     for (const glm::dvec3& p : corners_of(fit.receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
         receivers.push_back(glm::dvec3(h) / h.w);
-        least_w = glm::min(least_w, h.w), greatest_w = glm::max(greatest_w, h.w);
+        least_w = lesser(least_w, h.w), greatest_w = greater(greatest_w, h.w);
     }
     extent box = extent_of(receivers);
     const glm::dvec3 size = box.high - box.low;
     constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
-    const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
+    const glm::dvec2 around = double(fit.margin) * greater(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
     // the hull's cone over the map, of which the other half, behind w = 0, is no part
-    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
-    box.low.z = glm::min(box.low.z, swept.x);
+    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, greater(around.x, around.y)));
+    box.low.z = lesser(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
     return laid(to_map, box, least_w, greatest_w, fit, function);

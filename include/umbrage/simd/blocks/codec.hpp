@@ -5,6 +5,7 @@
 //     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
 //     codec.with_encode([&](const auto& encode) UMBRAGE_INLINE { encode(depths, texels); });  // and more blocks
 //
+// A codec is `exact` where none of its results rounds. Compilers may then fuse multiplications and additions.
 #pragma once
 
 #include <bit>
@@ -49,6 +50,7 @@ UMBRAGE_INLINE inline void with_saturated(depth_direction direction, const Use& 
 template <class Encoding>
 struct codec {
     using texel = typename Encoding::texel;
+    static constexpr bool exact = false;
     Encoding encoding;
 
     /// Calls use(encode), whose form may hang on what is known at run time: asking that block by block costs a tenth.
@@ -70,6 +72,7 @@ template <class Encoding>
 /// rg of any number of bits. Texels are 16-bit words, so that twice as many fit a register.
 struct rg_codec {
     using texel = glm::u8vec2;
+    static constexpr bool exact = true;
     int bits;
     float edge;
     depth_direction direction;
@@ -116,6 +119,7 @@ template <int Bits>
 template <>
 struct codec<rgb24> {
     using texel = glm::u8vec3;
+    static constexpr bool exact = true;
     rgb24 encoding;
 
     template <class Use>
@@ -143,6 +147,7 @@ template <>
 struct codec<float_bits> {
     static_assert(sizeof(glm::u8vec4) == sizeof(float));
     using texel = glm::u8vec4;
+    static constexpr bool exact = true;
     float_bits encoding;
 
     template <class Use>
@@ -164,6 +169,7 @@ struct codec<float_bits> {
 template <>
 struct codec<depth32f> {
     using texel = float;
+    static constexpr bool exact = true;
     depth32f encoding;
 
     template <class Use>

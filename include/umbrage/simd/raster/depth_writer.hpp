@@ -40,15 +40,15 @@ public:
 
     /// The triangles of a batch.
     UMBRAGE_INLINE void draw(const triangles& batch) const {
-        const small_triangles small(batch);
+        const small_triangles smaller(batch);
         for (int i = 0; i < batch.count; ++i)
-            if (small.has(i)) expect(batch, i);
-        small.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
-        if (small.has_all()) return;
+            if (smaller.has(i)) expect(batch, i);
+        smaller.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
+        if (smaller.has_all()) return;
         const triangles_of_binade of_binade(batch);
         for (int i = 0; i < batch.count; ++i) {
             if (i + 1 < batch.count) expect(batch, i + 1);
-            if (!small.has(i)) draw(batch, i, of_binade.has(i));
+            if (!smaller.has(i)) draw(batch, i, of_binade.has(i));
         }
     }
 

@@ -52,12 +52,12 @@ inline void require_drawable(glm::ivec2 size) {
 
 /// What stands for a vertex outside of planes: off the grid, with their bits.
 [[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
-    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
+    return {std::numeric_limits<std::int32_t>::lowest(), static_cast<std::int32_t>(planes), 0.0};
 }
 
 /// A bit for each plane that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
+    return v.x == std::numeric_limits<std::int32_t>::lowest() ? static_cast<unsigned>(v.y) : 0u;
 }
 
 /// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
@@ -136,12 +136,12 @@ public:
     template <class = on_use>
     void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
         using bits = std::int64_t;
-        constexpr bits minus_zero = std::numeric_limits<bits>::min();
+        constexpr bits minus_zero = std::numeric_limits<bits>::lowest();
         const bool forward = clip_.direction == depth_direction::forward;
         const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
         const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
         const bits lowest = forward ? 0 : minus_zero;
-        const bits highest = forward ? std::numeric_limits<bits>::max() : bit_cast<bits>(1.0);
+        const bits highest = forward ? detail::highest<bits> : bit_cast<bits>(1.0);
         on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
             alignas(64) float x[block], y[block], z[block];
             alignas(64) double column[block], row[block], depth[block];

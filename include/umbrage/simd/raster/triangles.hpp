@@ -250,8 +250,8 @@ private:
             return bit_cast<double>((bits(2046) << 52) - bit_cast<bits>(power));
         };
         const auto truncate = [](double v) UMBRAGE_INLINE {  // |v| < 2^52; GCC has no vectors of trunc() for AVX2
-            const double size = masked(v, magnitude), near = (size + 0x1p52) - 0x1p52;
-            const double whole = near - masked(1.0, -bits(near > size));
+            const double size = masked(v, magnitude), rounded = (size + 0x1p52) - 0x1p52;
+            const double whole = rounded - masked(1.0, -bits(rounded > size));
             return bit_cast<double>(bit_cast<bits>(whole) | (bit_cast<bits>(v) & ~magnitude));
         };
         for (int i = 0; i < block; ++i) {

@@ -7,6 +7,7 @@
 #include <umbrage/light/cascades/cascades.hpp>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include "../../../fusing.hpp"
 #include "../../bodies.hpp"
 #include "../../clip_spaces.hpp"
 
@@ -139,8 +141,11 @@ TEST_CASE_TEMPLATE("make_stable_cascades: 3 km out, points move by whole texels 
             const glm::dvec3 other(shadow_coordinate(m, points[i]));
             if (frame == 0) first.push_back(at), first_by_matrix.push_back(other);
             const glm::vec<3, T> moved = at - first[i];
-            CHECK(moved.x == std::round(moved.x));
-            CHECK(moved.y == std::round(moved.y));
+            // cascade_coordinate is tier B: fused, each of the two coordinates rounds once more
+            const glm::vec<3, T> off = glm::abs(moved - glm::round(moved));
+            const glm::vec<3, T> bound = glm::max(glm::abs(at), glm::abs(first[i])) * std::numeric_limits<T>::epsilon();
+            CHECK(off.x <= (may_fuse ? bound.x : T(0)));
+            CHECK(off.y <= (may_fuse ? bound.y : T(0)));
             CHECK(moved.z == T(0));
             farthest = worse(farthest, std::abs(double(moved.x)));
             for (glm::length_t axis = 0; axis < 2; ++axis)
@@ -189,7 +194,7 @@ TEST_CASE("make_stable_cascades: what a map shows of fixed points never changes 
                 return {0, glm::dvec2(at), double(visibility)};
             };
         });
-        CHECK(r.drift == 0);
+        CHECK(r.drift <= (may_fuse ? 256 * 0x1p-23 : 0));  // as above, on a map of 256 texels
         CHECK(r.changed == 0);
         CHECK(r.compared > 2000);
         CHECK(partly > 300);
