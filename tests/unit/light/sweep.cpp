@@ -77,6 +77,33 @@ TEST_CASE("convex_hull, sides: every point within, every corner one of them") {
     }
 }
 
+TEST_CASE("convex_hull: holds corners that are repeated up to rounding") {
+    const auto outside = [](const std::vector<glm::dvec3>& points) {
+        double farthest = 0;
+        for (const auto& side : detail::sides(detail::convex_hull(points), 0.0))
+            for (const auto& p : points)
+                farthest = std::max(farthest, -glm::dot(side, glm::dvec4(p, 1)) / glm::length(glm::dvec2(side)));
+        return farthest;
+    };
+    CHECK(outside({{1.0791274728253482, -0.83726838789880298, 0},
+                   {1.0791274728253477, -0.83726838789880309, 0},
+                   {1.6440862612798803, -0.62520269211381663, 0},
+                   {-1.1595047703012828, -1.839826149865984, 0}}) < 1e-12);
+    std::mt19937 random(3);
+    bodies::real near_zero(-1e-15, 1e-15), anywhere(-2, 2);
+    double farthest = 0;
+    for (int i = 0; i < 200000; ++i) {
+        std::vector<glm::dvec3> points;
+        for (int corner = 0; corner < 3 + i % 6; ++corner) {
+            const glm::dvec2 p(anywhere(random), anywhere(random));
+            for (int copy = 0; copy < 3; ++copy)
+                points.emplace_back(p.x + near_zero(random), p.y + near_zero(random), 0.0);
+        }
+        farthest = std::max(farthest, outside(points));
+    }
+    CHECK(farthest < 1e-12);
+}
+
 TEST_CASE("nearest: of a box before, beside and around a square") {
     const glm::dmat4 frame(1.0);
     const auto planes = detail::sweep({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 0.0);
