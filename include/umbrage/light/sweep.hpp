@@ -125,10 +125,10 @@ template <class = on_use>
     return kept;
 }
 
-/// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only
-/// rounding tells apart: their direction says nothing.
+/// A plane (a, b, 0, c) through each edge of a hull; none through edges between points that differ by rounding only, as
+/// their direction is arbitrary.
 template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
+[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull) {
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
     double longest = 0.0;
@@ -136,19 +136,24 @@ template <class = on_use>
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
         if (glm::length(inwards) <= longest * 0x1p-32) continue;
-        planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
+        planes.emplace_back(inwards, 0.0, -glm::dot(inwards, a));
     }
     return planes;
 }
 
-/// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
+/// Planes around what points sweep, each point with the square of `outwards` around it. Squares keep the planes
+/// continuous while points move: sides moved outwards would jump where a corner of the hull splits in two.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
-    std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
-    const auto [least, greatest] = extent_of(seen);
-    const glm::dvec3 low = least - outwards, high = greatest + outwards;
-    planes.insert(planes.end(), {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}});
-    return planes;
+    const auto [low, high] = extent_of(seen);
+    // casters that touch a side are within it, whichever way it was rounded
+    const double around = glm::max(outwards, 0x1p-32 * glm::max(high.x - low.x, high.y - low.y));
+    std::vector<glm::dvec3> corners;
+    corners.reserve(4 * seen.size());
+    for (const glm::dvec3& p : seen)
+        for (const double x : {p.x - around, p.x + around})
+            for (const double y : {p.y - around, p.y + around}) corners.emplace_back(x, y, p.z);
+    return sides(convex_hull(corners));
 }
 
 /// The least distance along the light of a box's faces within planes; infinite where none is.

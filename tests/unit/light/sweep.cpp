@@ -65,11 +65,13 @@ TEST_CASE("convex_hull, sides: every point within, every corner one of them") {
         for (const auto& corner : hull)
             CHECK(std::any_of(points.begin(), points.end(), [&](const auto& p) { return glm::dvec2(p) == corner; }));
         for (double outwards : {0.0, 0.5}) {
+            const auto planes = outwards > 0 ? detail::sweep(points, outwards) : detail::sides(hull);
             double least = 1e9;
-            for (const auto& plane : detail::sides(hull, outwards)) {
+            for (const auto& plane : planes) {
                 double within = 1e9;
                 for (const auto& p : points) within = std::min(within, glm::dot(plane, glm::dvec4(p.x, p.y, p.z, 1)));
-                CHECK(within > outwards * glm::length(glm::dvec2(plane)) - 1e-12);
+                const double share = std::abs(plane.x) + std::abs(plane.y);  // of a square's corner
+                CHECK(within > outwards * share - 1e-12);
                 least = std::min(least, within / glm::length(glm::dvec2(plane)));
             }
             CHECK(least == doctest::Approx(outwards));
@@ -77,10 +79,28 @@ TEST_CASE("convex_hull, sides: every point within, every corner one of them") {
     }
 }
 
+TEST_CASE("sweep: does not jump where a corner splits in two, holds what touches its sides") {
+    const glm::dmat4 frame(1.0);
+    const bounding_box<double> caster{{-0.9, -0.9, -3}, {-0.9, -0.9, -2}};
+    const std::vector<glm::dvec3> whole{{0, 0, 0}, {10, 9, 0}, {9, 10, 0}};
+    const std::vector<glm::dvec3> split{{1e-6, 0, 0}, {0, 1e-6, 0}, {10, 9, 0}, {9, 10, 0}};
+    CHECK(detail::nearest(frame, caster, detail::sweep(whole, 1.0)) == -3);
+    CHECK(detail::nearest(frame, caster, detail::sweep(split, 1.0)) == -3);
+    std::mt19937 random(4);
+    int lost = 0;
+    for (int i = 0; i < 1000; ++i) {
+        std::vector<glm::dvec3> points;
+        for (int k = 0; k < 5; ++k) points.push_back(bodies::random_vector(random, -5, 5));
+        for (const auto& plane : detail::sweep(points, 0.0))
+            for (const auto& p : points) lost += glm::dot(plane, glm::dvec4(p, 1)) < 0;
+    }
+    CHECK(lost == 0);
+}
+
 TEST_CASE("convex_hull: holds corners that are repeated up to rounding") {
     const auto outside = [](const std::vector<glm::dvec3>& points) {
         double farthest = 0;
-        for (const auto& side : detail::sides(detail::convex_hull(points), 0.0))
+        for (const auto& side : detail::sides(detail::convex_hull(points)))
             for (const auto& p : points)
                 farthest = std::max(farthest, -glm::dot(side, glm::dvec4(p, 1)) / glm::length(glm::dvec2(side)));
         return farthest;
