@@ -96,6 +96,18 @@ template <class = on_use>
     return seen.empty() ? hull(part) : hull(seen);
 }
 
+/// A directional light with depths of a whole scene, and a little beyond it.
+template <real T>
+[[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
+                                                 const char* function) {
+    const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
+    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes have some depth too
+    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
+                                           function, "", "low and high of scene");
+    light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
+    return light;
+}
+
 /// A margin in texels as a share of what a map holds within it.
 template <real T>
 [[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
@@ -120,7 +132,8 @@ template <std::size_t Count, real T, class Light>
 }  // namespace detail
 
 /// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
-/// camera's frustum, which does not change as the camera turns, and moves by whole texels.
+/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths are those of the scene
+/// alone, one scale and one offset in all cascades, so that a constant bias is as many world units in each.
 ///
 /// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
 /// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
@@ -135,15 +148,16 @@ template <std::size_t Count, real T, class Light>
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
                                                                  const std::array<T, Count + 1>& splits) {
-    auto all = detail::make_cascades<Count>(fit, splits, "make_stable_cascades", [&](const frustum<double>& part) {
+    constexpr auto function = "make_stable_cascades";
+    auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
         const double around = double(fit.margin);
-        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
-                                              .up = glm::dvec3(fit.up),
-                                              .receivers = sphere_around(part),
-                                              .casters = bounding_box<double>{fit.scene.low, fit.scene.high},
-                                              .margin = around / (fit.map_size - 1 - 2 * around),
-                                              .snap_texels = fit.map_size,
-                                              .clip = fit.clip});
+        const auto light = fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
+                                                          .up = glm::dvec3(fit.up),
+                                                          .receivers = sphere_around(part),
+                                                          .margin = around / (fit.map_size - 1 - 2 * around),
+                                                          .snap_texels = fit.map_size,
+                                                          .clip = fit.clip});
+        return detail::with_depths_of(light, fit.scene, function);
     });
     for (cascade<T>& c : all)
         for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
