@@ -28,10 +28,11 @@
 
 namespace umbrage {
 
-/// What matrices in float leave of the plane's own depth, which is the same all over the map, under lights of 3 degrees
-/// and more above it: acne_free_bias, that sees no slope, is to be given this much more.
+/// How far the plane's own depth, which is one all over the map, spreads under a matrix that was made in double and
+/// rounded once to float: give acne_free_bias, which sees no slope, this much more. Holds for lights of 3 degrees and
+/// more above the plane and cameras within 30 units of the world's origin; farther out it grows with that distance.
 template <real T>
-inline constexpr T plane_optimal_rounding = T(0x1p-20);
+inline constexpr T plane_optimal_rounding = T(0x1p-18);
 
 namespace detail {
 

@@ -92,6 +92,28 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
     CHECK(cast > 20000);
 }
 
+TEST_CASE("plane_optimal_rounding: more than rounding spreads the plane's depth by, for cameras near the origin") {
+    std::mt19937 random(11);
+    double greatest = 0;
+    for (int i = 0; i < 20000; ++i) {
+        warp_fit<double> fit = reference_view::warp_under({90, 0});
+        const double yaw = bodies::real(0, 6.28)(random), pitch = bodies::real(-1.05, 0.09)(random);
+        fit.camera.position = bodies::random_vector(random, -17, 17);
+        fit.camera.position.y = bodies::real(1, 10)(random);
+        fit.camera.direction = {std::sin(yaw), std::tan(pitch), std::cos(yaw)};
+        fit.direction = reference_view::sun(bodies::real(3, 90)(random), bodies::real(0, 360)(random));
+        const glm::dmat4 rounded{glm::mat4(texture_matrix_uv(fit_plane_optimal(fit, level).light))};
+        double least = 1, most = 0;
+        for (const glm::dvec3& p : detail::crossings(polyhedron(fit.camera), level)) {
+            const double depth = through(rounded, p).z;
+            least = std::min(least, depth), most = std::max(most, depth);
+        }
+        greatest = std::max(greatest, most - least);
+    }
+    CHECK(greatest <= plane_optimal_rounding<double>);
+    CHECK(greatest > 0.25 * plane_optimal_rounding<double>);
+}
+
 TEST_CASE_TEMPLATE("fit_plane_optimal: bad input", T, float, double) {
     using vec4 = glm::vec<4, T>;
     const T nan = std::numeric_limits<T>::quiet_NaN();
