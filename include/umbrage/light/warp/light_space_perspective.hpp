@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -62,10 +63,14 @@ template <real T>
 /// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
 [[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
 
-/// @return   infinite where camera and light look one way
+/// The strongest warp there is: float holds no more.
+[[nodiscard]] inline double least_distance(const along_view& v) { return v.length * 0x1p-14; }
+
+/// @return   infinite where camera and light look one way, and for receivers of no extent at the camera
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    return v.sine > 0.0 ? n : std::numeric_limits<double>::infinity();
+    const double least = glm::max(n, least_distance(v));
+    return v.sine > 0.0 && least > 0.0 ? least : std::numeric_limits<double>::infinity();
 }
 
 /// Near the best on a ground.
@@ -76,8 +81,7 @@ template <real T>
 /// @formula   (x, y, z) / (1 + y / n) about `first`
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
-    const double nearest = v.length * 0x1p-14;  // float holds no more
-    const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
+    const double bend = share_of_warp(v.sine) / glm::max(n, least_distance(v));
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
@@ -96,7 +100,7 @@ template <real T>
 
 /// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
 /// camera's frustum is least: the mildest warp that is of use.
-/// @return      world units along the camera's view, across the light; infinite where camera and light look one way
+/// @return      world units along the camera's view, across the light, > 0; infinite where camera and light look one way
 /// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
 ///              view, d their extent along it across the light, t the angle between view and light
 /// @throws std::invalid_argument  as fit_light_space_perspective does
@@ -123,7 +127,8 @@ template <real T = float>
 ///                   view; then around the receivers
 /// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
-[[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit, std::optional<T> distance = {}) {
+[[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit,
+                                                          std::optional<std::type_identity_t<T>> distance = {}) {
     constexpr auto function = "fit_light_space_perspective";
     const detail::along_view v = detail::make_along_view(fit, function);
     detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");

@@ -121,6 +121,16 @@ TEST_CASE(
     CHECK(greatest > 0.9);
 }
 
+TEST_CASE_TEMPLATE("fit_light_space_perspective: at the optimal distance, for a camera without a near plane too", T,
+                   float, double) {
+    warp_fit<T> fit{.direction = {1, -2, T(0.5)}, .casters = bounding_box<T>{}};
+    CHECK(fit_light_space_perspective(fit, optimal_distance(fit)).strength > 0);
+    fit.camera.z_near = 0;
+    CHECK(optimal_distance(fit) > 0);
+    CHECK(fit_light_space_perspective(fit, optimal_distance(fit)).strength > 0);
+    CHECK(fit_light_space_perspective(fit, 1e-30f).strength > 0);
+}
+
 TEST_CASE_TEMPLATE("fit_light_space_perspective: bad input, and cameras inside and along", T, float, double) {
     const T nan = std::numeric_limits<T>::quiet_NaN();
     const auto with = [](auto change, std::optional<T> distance = {}) {
