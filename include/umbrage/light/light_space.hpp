@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <initializer_list>
 #include <limits>
 
@@ -38,6 +39,14 @@ inline void require(bool met, const char* function, const char* arguments, const
     std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
     for (const char* part : {function, ": ", arguments, " ", problem}) message += part;
     fail(message);
+}
+
+/// The same, and the number that was given.
+inline void require(bool met, const char* function, const char* argument, const char* condition, double got) {
+    if (met) return;
+    char problem[128];
+    std::snprintf(problem, sizeof problem, "%s; got %g", condition, got);
+    require(false, function, argument, problem);
 }
 
 /// True for what neither overflowed nor is lost where denormals count as zero.

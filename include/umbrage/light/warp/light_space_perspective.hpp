@@ -121,7 +121,7 @@ template <real T = float>
 /// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                   from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
-///                                casters that are no box, a negative margin, distance not above 0, and what gives
+///                                casters that are no box, a margin out of range, distance not above 0, and what gives
 ///                                matrices that are not finite
 /// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' least y, y along the
 ///                   view; then around the receivers

@@ -117,7 +117,7 @@ template <real T>
 ///                plane, over w
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, that the
 ///                                camera does not see, or that holds the light's direction (1e-6), casters that are no
-///                                box, a negative margin, and what gives matrices that are not finite
+///                                box, a margin out of range, and what gives matrices that are not finite
 /// @formula       x, y and w of the camera after (N.L) I - L N^T, depth - N.p
 template <real T = float>
 [[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {

@@ -24,7 +24,7 @@ namespace umbrage {
 /// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
-///                                casters that are no box, a negative margin, focus negative or not finite, and what
+///                                casters that are no box, a margin out of range, focus negative or not finite, and what
 ///                                gives matrices that are not finite
 /// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
 ///                l apart; with the focus f behind the top the legs meet 0.4 l f / (1.6 l - 2 f) before it

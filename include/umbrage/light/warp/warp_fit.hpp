@@ -42,7 +42,7 @@ struct warp_fit {
     hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
-                                                  ///< map, >= 0
+                                                  ///< map, 0 to 1000
     clip_space clip{};
 };
 
@@ -58,7 +58,9 @@ namespace detail {
 template <real T>
 void require_warp_fit(const warp_fit<T>& fit, const char* function) {
     require_receivers(fit.receivers, function);
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    // beyond that float has no digits left for the receivers, and rows of the matrix become multiples of w's
+    require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin",
+            "must be from 0 to 1000", double(fit.margin));
     if (fit.casters) (void)corners(*fit.casters);
 }
 

@@ -209,7 +209,8 @@ TEST_CASE_TEMPLATE("fit_perspective: bad input, and cameras inside and along", T
     for (const T bad : {T(0), T(-1), nan, infinity}) CHECK(with([](auto&) {}, bad).starts_with(name + "slide "));
     CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
     CHECK(with([](auto& f) { f.receivers.points.clear(); }).starts_with(name + "receivers "));
-    CHECK(with([](auto& f) { f.margin = -1; }).starts_with(name + "margin "));
+    for (const T bad : {T(-1), T(1e19), nan})
+        CHECK(with([=](auto& f) { f.margin = bad; }).starts_with(name + "margin must be from 0 to 1000; got "));
     CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));
     CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with("umbrage::bounding_box: "));
     CHECK(with([](auto& f) {
