@@ -54,7 +54,7 @@ template <class = detail::on_use>
     }
     const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
     detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
-                    "give a matrix that is not finite");
+                    "must give a finite matrix");
     return m;
 }
 

@@ -47,6 +47,43 @@ struct light_box {
             z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
 }
 
+/// fit_directional_light in the name of another function, whose arguments give the box's sides and depths.
+template <real T>
+[[nodiscard]] light_space<T> fit_directional(const directional_fit<T>& fit, const char* function, const char* sides,
+                                             const char* depths) {
+    require_receivers(fit.receivers, function);
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
+    const bool snaps = fit.snap_texels > 0;
+
+    light_space<T> space{
+        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
+    const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
+    const auto points = seen(frame, fit.receivers.points);
+    const auto [low, high] = extent_of(points);
+    const auto [first, last] = extent_of(fit.receivers.points);
+    const double radius = fit.receivers.radius;
+    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
+    light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
+    if (fit.casters && snaps) {
+        const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
+        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
+    } else if (fit.casters) {
+        const auto swept = sweep(points, around);
+        box.z_near = glm::min(box.z_near, nearest(frame, *fit.casters, swept) - margin);
+    }
+    if (snaps) box = snapped(box, fit.snap_texels);
+
+    glm::dmat4 projection = orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
+    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        require(is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
+                "must not give too large or too small a box");
+    return checked(space, function, depths);
+}
+
 }  // namespace detail
 
 /// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
@@ -63,40 +100,8 @@ struct light_box {
 /// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
 template <real T = float>
 [[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    constexpr auto function = "fit_directional_light", sides = "receivers and margin";
-    constexpr auto depths = "receivers, casters and margin";
-    detail::require_receivers(fit.receivers, function);
-    detail::require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    detail::require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
-    const bool snaps = fit.snap_texels > 0;
-
-    light_space<T> space{
-        detail::look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
-    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
-    const auto points = detail::seen(frame, fit.receivers.points);
-    const auto [low, high] = detail::extent_of(points);
-    const auto [first, last] = detail::extent_of(fit.receivers.points);
-    const double radius = fit.receivers.radius;
-    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
-    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
-    detail::light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
-    if (fit.casters && snaps) {
-        const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
-        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
-    } else if (fit.casters) {
-        const auto swept = detail::sweep(points, around);
-        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, swept) - margin);
-    }
-    if (snaps) box = detail::snapped(box, fit.snap_texels);
-
-    glm::dmat4 projection =
-        detail::orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
-    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
-    space.projection = glm::mat<4, 4, T>(projection);
-    for (glm::length_t i = 0; i < 3; ++i)
-        detail::require(detail::is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
-                        "give too large or too small a box");
-    return detail::checked(space, function, depths);
+    return detail::fit_directional(fit, "fit_directional_light", "receivers and margin",
+                                   "receivers, casters and margin");
 }
 
 }  // namespace umbrage

@@ -106,14 +106,15 @@ template <real T = float>
     detail::require(half.x > 0.0 && half.y > 0.0 && z_near < z_far, function, "receivers and margin",
                     "must have some extent in the cone");
 
-    glm::dmat4 projection = detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function);
+    glm::dmat4 projection =
+        detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");
     for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
     space.projection = glm::mat<4, 4, T>(projection);
     for (glm::length_t i = 0; i < 2; ++i)
         detail::require(detail::is_normal(space.projection[i][i]), function, "receivers and margin",
-                        "give too large or too small a map");
+                        "must not give too large or too small a map");
     detail::require(detail::is_normal(space.projection[3][2]), function, "z_near and receivers",
-                    "give planes too far apart or too close together");
+                    "must give planes neither too far apart nor too close together");
     return detail::checked(space, function, "position, z_near and receivers");
 }
 

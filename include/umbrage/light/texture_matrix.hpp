@@ -40,7 +40,7 @@ template <real T>
         scale_bias[3][2] = T(0.5);
     }
     const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
-    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "give a matrix that is not finite");
+    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "must give a finite matrix");
     return m;
 }
 
@@ -88,7 +88,7 @@ template <real T>
             taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
         }
         detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
-                        "give a matrix that is not finite");
+                        "must give a finite matrix");
     }
     return taps;
 }

@@ -60,7 +60,7 @@ template <real T>
                        glm::vec<4, T>(offset)};
     const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
     require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
-            "give too large or too small a cascade");
+            "must not give too large or too small a cascade");
     return c;
 }
 
@@ -148,15 +148,16 @@ template <std::size_t Count, real T, class Light>
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
                                                                  const std::array<T, Count + 1>& splits) {
-    constexpr auto function = "make_stable_cascades";
+    constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
     auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
         const double around = double(fit.margin);
-        const auto light = fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
-                                                          .up = glm::dvec3(fit.up),
-                                                          .receivers = sphere_around(part),
-                                                          .margin = around / (fit.map_size - 1 - 2 * around),
-                                                          .snap_texels = fit.map_size,
-                                                          .clip = fit.clip});
+        const auto light = detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                            .up = glm::dvec3(fit.up),
+                                                            .receivers = sphere_around(part),
+                                                            .margin = around / (fit.map_size - 1 - 2 * around),
+                                                            .snap_texels = fit.map_size,
+                                                            .clip = fit.clip},
+                                                           function, sides, depths);
         return detail::with_depths_of(light, fit.scene, function);
     });
     for (cascade<T>& c : all)
@@ -170,14 +171,16 @@ template <std::size_t Count, real T>
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
                                                                 const std::array<T, Count + 1>& splits) {
-    return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
+    constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
+    return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
         const bounding_box<double> scene{fit.scene.low, fit.scene.high};
-        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
-                                              .up = glm::dvec3(fit.up),
-                                              .receivers = detail::receivers_of(part, scene),
-                                              .casters = scene,
-                                              .margin = detail::margin_share(fit),
-                                              .clip = fit.clip});
+        return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                .up = glm::dvec3(fit.up),
+                                                .receivers = detail::receivers_of(part, scene),
+                                                .casters = scene,
+                                                .margin = detail::margin_share(fit),
+                                                .clip = fit.clip},
+                                               function, sides, depths);
     });
 }
 

@@ -64,7 +64,7 @@ template <real T>
     }
     const double back = slide - glm::min(least, 0.0), z_near = least + back;
     const double z_far = glm::max(greatest + back, z_near * (1.0 + 0x1p-8));
-    require(is_finite(z_far), function, "receivers", "lie too far from the camera");
+    require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers", "must lie nearer to the camera");
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
     return perspective(double(camera.tan_half_x), double(camera.tan_half_y), z_near, z_far, opengl_clip_space,

@@ -99,7 +99,7 @@ template <real T>
     const double deep = glm::max(double(fit.margin), 0x1p-8) * glm::max(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
-    require(warped.has_value(), function, "plane and camera", "give too large or too small a map");
+    require(warped.has_value(), function, "plane and camera", "must not give too large or too small a map");
     return *warped;
 }
 

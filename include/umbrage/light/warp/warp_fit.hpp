@@ -162,7 +162,7 @@ template <real T>
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
     const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
-    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a box");
+    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a box");
     return *light;
 }
 

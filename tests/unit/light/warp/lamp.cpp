@@ -148,7 +148,7 @@ TEST_CASE_TEMPLATE("lamps: bad input, and what warps of directional lights refus
     CHECK(with([](auto&, auto& l) { l.position.y = T(1.05); }).starts_with(name + "receivers "));
     CHECK(with([](auto& f, auto&) { f.direction = -f.direction; }).starts_with(name + "receivers "));
     CHECK(with([](auto& f, auto&) { f.direction = {}; }).starts_with(name + "direction "));
-    CHECK(with([&](auto&, auto& l) { l.position = vec3(nan); }).starts_with(name + "position "));
+    CHECK(with([&](auto&, auto& l) { l.position = vec3(nan); }).starts_with(name + "from.position "));
     for (const T bad : {T(0), T(-1), nan})
-        CHECK(with([&](auto&, auto& l) { l.z_near = bad; }).starts_with(name + "z_near "));
+        CHECK(with([&](auto&, auto& l) { l.z_near = bad; }).starts_with(name + "from.z_near "));
 }

@@ -216,6 +216,8 @@ TEST_CASE_TEMPLATE("fit_perspective: bad input, and cameras inside and along", T
     CHECK(with([](auto& f) {
               f.receivers = bounding_box<T>{glm::vec<3, T>(1), glm::vec<3, T>(1)};
           }).find("receivers, casters and margin ") != std::string::npos);
+    const std::string distant = with([](auto& f) { f.camera.position.z = T(0.8) * std::numeric_limits<T>::max(); });
+    CHECK((distant.empty() || distant == name + "receivers must lie nearer to the camera"));
     CHECK(with([](auto& f) { f.camera.direction = f.direction; }) == "");
     CHECK(with([](auto& f) { f.camera.direction = -f.direction; }) == "");
     CHECK(with([](auto& f) { f.camera.position = {5, 5, 5}; }) == "");

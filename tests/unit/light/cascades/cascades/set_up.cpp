@@ -43,6 +43,8 @@ TEST_CASE("make_stable_cascades, make_tight_cascades: what is wrong is named") {
     CHECK(of([&](fit& f) { f.camera.position.x = nan; }) == "position");
     CHECK(of([&](fit& f) { f.camera.direction = glm::vec3(0); }) == "direction");
     CHECK(of([](fit& f) { f.direction = glm::vec3(0); }) == "direction");
+    CHECK(complaint([] { (void)make_stable_cascades<1>(fit{.direction = {0, 0, 0}}, std::array{1.0f, 2.0f}); }) ==
+          "umbrage::make_stable_cascades: direction must not be zero");
     CHECK(of([&](fit& f) { f.direction.y = nan; }) == "direction");
     CHECK(of([&](fit& f) { f.up.y = infinity; }) == "up");
     CHECK(of([](fit& f) { f.scene.low.x = 2.0f; }) == "low");
