@@ -161,7 +161,8 @@ public:
                    plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
     }
 
-    [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
+    [[nodiscard]] const std::vector<face>& faces() const& { return faces_; }
+    void faces() const&& = delete;  ///< of a temporary: they would dangle
     [[nodiscard]] bool empty() const { return faces_.empty(); }
 
     [[nodiscard]] static convex_body common(const convex_body& a, const convex_body& b) {

@@ -112,6 +112,8 @@ template <real T = float>
 
 /// The map of a directional light, warped along the camera's view.
 ///
+/// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
+///
 /// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
 ///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
 ///                   2^-14 of the receivers' extent, which stands for what is less. By default

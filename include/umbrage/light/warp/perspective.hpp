@@ -202,7 +202,8 @@ template <real T, class Instead>
 
 }  // namespace detail
 
-/// The map of a directional light through the camera's perspective. Casters behind the camera need no more of a slide:
+/// The map of a directional light through the camera's perspective. Under lights 6 to 14 degrees above a ground it can
+/// resolve far less than a map without a warp: see choose_light. Casters behind the camera need no more of a slide:
 /// w is the same all along a ray, and depth runs on.
 ///
 /// While camera and light move the map changes without a jump, from image to image of the light too, and to
