@@ -61,14 +61,18 @@ placed_maps directional(const lit_view& v, const umbrage::hull& receivers, glm::
                                                            .snap_texels = snap_texels}));
 }
 
+/// Around what receives shadows in the cone; where that is nothing, around the scene.
 placed_maps spot(const lit_view& v, const umbrage::polyhedron& receivers) {
-    return one_map(v, {v.light.position, 1},
-                   umbrage::fit_spot_light<double>({.position = v.light.position,
-                                                    .direction = v.light.direction,
-                                                    .up = v.light.up,
-                                                    .outer_angle_radians = v.light.outer_angle_radians,
-                                                    .receivers = receivers,
-                                                    .casters = whole(v.scene)}));
+    umbrage::spot_fit<double> fit{.position = v.light.position,
+                                  .direction = v.light.direction,
+                                  .up = v.light.up,
+                                  .outer_angle_radians = v.light.outer_angle_radians,
+                                  .receivers = receivers,
+                                  .casters = whole(v.scene)};
+    auto light = umbrage::fit_spot_light(fit);
+    fit.receivers = whole(v.scene);
+    if (!light) light = umbrage::fit_spot_light(fit);
+    return one_map(v, {v.light.position, 1}, light.value());
 }
 
 /// A perspective shadow map of the spot, around what is seen in its cone.
@@ -218,7 +222,8 @@ std::vector<set_up> all_set_ups() {
     }
     all.push_back({"plane-optimal on the ground", [](const lit_view& v) {
                        const glm::dvec4 ground(0, 1, 0, -v.scene.low.y);
-                       return warped(v, umbrage::fit_plane_optimal(warp_fit(v, v.planes), ground));
+                       const fit f = warp_fit(v, v.planes);
+                       return warped(v, umbrage::fit_plane_optimal(f, ground).value_or(light_space(f)));
                    }});
     all.push_back({"256 pages", &adaptive});
     for (set_up& s : point_set_ups()) all.push_back(std::move(s));

@@ -59,10 +59,12 @@ template <real T>
     light_space<T> space{
         look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
     const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
-    const auto points = seen(frame, fit.receivers.points);
+    const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
+    const hull& receivers = fit.receivers.points.empty() ? box_of_casters : fit.receivers;
+    const auto points = seen(frame, receivers.points);
     const auto [low, high] = extent_of(points);
-    const auto [first, last] = extent_of(fit.receivers.points);
-    const double radius = fit.receivers.radius;
+    const auto [first, last] = extent_of(receivers.points);
+    const double radius = receivers.radius;
     const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
     const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
     light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
@@ -95,7 +97,10 @@ template <real T>
 /// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
 /// origin, compute the texture matrix in double and round that.
 ///
-/// @throws std::invalid_argument  zero or non-finite direction, receivers empty or of no extent, casters that are no
+/// Where there are no receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box, or
+/// of one around the origin.
+///
+/// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
 ///                                box, a negative margin, and what gives matrices that are not finite
 /// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
 template <real T = float>

@@ -2,8 +2,9 @@
 //
 // A spot light fitted to what of its cone receives shadows, with the near plane pulled towards what casts them.
 //
-//     auto light = umbrage::fit_spot_light<float>(
+//     const std::optional<umbrage::light_space<float>> light = umbrage::fit_spot_light<float>(
 //         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//     if (light) draw_depths(*light);  // else nothing that the camera sees is in the cone
 //
 #pragma once
 
@@ -68,11 +69,11 @@ template <class = on_use>
 /// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
 /// may stand within receivers and casters. For a sphere stands its box; of points counts all that lies between them, at
 /// a cost that grows with the square of their number where some lie outside: for a mesh give its box.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers empty, none in the
-///                                pyramid beyond z_near, or none of some extent there, casters that are no box, and
-///                                what gives matrices that are not finite
+/// @return      nothing where no receivers of some extent lie in the pyramid beyond z_near: the light needs no map
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers that are not finite,
+///                                casters that are no box, and what gives matrices that are not finite
 template <real T = float>
-[[nodiscard]] light_space<T> fit_spot_light(const spot_fit<T>& fit) {
+[[nodiscard]] std::optional<light_space<T>> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
     detail::require_receivers(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
@@ -89,10 +90,11 @@ template <real T = float>
     const auto before = detail::seen(frame, detail::corners_of(fit.receivers));
     const detail::extent around = detail::extent_of(before);
     const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
-    detail::require(around.high.z > closest && is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function,
-                    "receivers", "must lie before the light, beyond z_near");
+    if (!(around.high.z > closest)) return {};
+    detail::require(is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function, "receivers",
+                    "must lie nearer to the light");
     const auto receivers = detail::tangents(before, edge, closest);
-    detail::require(!receivers.empty(), function, "receivers", "must lie in the cone");
+    if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
     const double share(fit.margin), margin = share * glm::max(high.x - low.x, high.y - low.y);
     double z_near = low.z;
@@ -103,8 +105,7 @@ template <real T = float>
     const glm::dvec2 first = glm::max(glm::dvec2(low) - margin, -edge),
                      last = glm::min(glm::dvec2(high) + margin, edge);
     const glm::dvec2 half = (last - first) * 0.5;
-    detail::require(half.x > 0.0 && half.y > 0.0 && z_near < z_far, function, "receivers and margin",
-                    "must have some extent in the cone");
+    if (!(half.x > 0.0 && half.y > 0.0 && z_near < z_far)) return {};
 
     glm::dmat4 projection =
         detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");

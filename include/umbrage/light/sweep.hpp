@@ -24,7 +24,6 @@ namespace detail {
 /// In the name of a function whose argument they are.
 template <class Use = on_use>
 void require_receivers(const rounded_hull<Use>& receivers, const char* function) {
-    require(!receivers.points.empty(), function, "receivers", "must not be empty");
     bool finite = is_finite(receivers.radius) && receivers.radius >= 0.0;
     for (const glm::dvec3& p : receivers.points) finite = finite && all_finite(p);
     require(finite, function, "receivers", "must be finite");

@@ -55,6 +55,19 @@ template <real T>
     return v;
 }
 
+/// Where there are no receivers, what is right before the light is as good.
+template <real T>
+[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const lamp<T>& from, const char* function) {
+    if (!fit.receivers.points.empty()) return completed(fit, hull(), function);
+    const double closest(from.z_near);
+    return completed(fit,
+                     frustum<double>{.position = glm::dvec3(from.position),
+                                     .direction = glm::dvec3(fit.direction),
+                                     .z_near = 2.0 * closest,
+                                     .z_far = 4.0 * closest},
+                     function);
+}
+
 /// What the lamp sees along its axis: x, y, depth and w, of no warp.
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const lamp_view& v) {

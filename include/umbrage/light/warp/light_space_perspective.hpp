@@ -43,7 +43,6 @@ struct along_view {
 
 template <real T>
 [[nodiscard]] along_view make_along_view(const warp_fit<T>& fit, const char* function) {
-    require_warp_fit(fit, function);
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
     const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera)[2];
@@ -107,7 +106,8 @@ template <real T>
 /// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
-    return T(detail::optimal_distance(detail::make_along_view(fit, "optimal_distance")));
+    constexpr auto function = "optimal_distance";
+    return T(detail::optimal_distance(detail::make_along_view(detail::completed(fit, function), function)));
 }
 
 /// The map of a directional light, warped along the camera's view.
@@ -122,7 +122,7 @@ template <real T = float>
 ///                   where nothing is for long: see seen_range
 /// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                   from there to 0.2 the warp grows, without a jump
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
 ///                                casters that are no box, a margin out of range, distance not above 0, and what gives
 ///                                matrices that are not finite
 /// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' least y, y along the
@@ -132,9 +132,10 @@ template <real T = float>
 [[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit,
                                                           std::optional<std::type_identity_t<T>> distance = {}) {
     constexpr auto function = "fit_light_space_perspective";
-    const detail::along_view v = detail::make_along_view(fit, function);
+    const warp_fit<T> whole = detail::completed(fit, function);
+    const detail::along_view v = detail::make_along_view(whole, function);
     detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
-    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), fit, function);
+    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), whole, function);
 }
 
 }  // namespace umbrage

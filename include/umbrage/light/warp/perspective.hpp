@@ -219,29 +219,30 @@ template <real T, class Instead>
 template <real T = float>
 [[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, T slide = T(1)) {
     constexpr auto function = "fit_perspective";
-    const detail::along_view v = detail::make_along_view(fit, function);
+    const warp_fit<T> whole = detail::completed(fit, function);
+    const detail::along_view v = detail::make_along_view(whole, function);
     const glm::dvec4 light(-v.frame[0][2], -v.frame[1][2], -v.frame[2][2], 0.0);
     const polyhedron casters = fit.casters ? polyhedron(*fit.casters) : polyhedron();
     const double n = detail::default_distance(v);
-    return detail::perspective_of(light, fit, casters, slide, function, v.frame, detail::map_along(v, n),
-                                  [&] { return detail::warped_along(v, n, fit, function); });
+    return detail::perspective_of(light, whole, casters, slide, function, v.frame, detail::map_along(v, n),
+                                  [&] { return detail::warped_along(v, n, whole, function); });
 }
 
 /// The same of a point light, such as a spot: a source where it is before the camera, a sink where it is behind.
 ///
 /// @param fit    whose direction is the light's axis
 /// @return       light_image::none and what the light sees along its axis, without a warp, where the light stands amid
-///               what the camera sees
+///               what the camera sees; where there are no receivers, a map of what is right before the light
 /// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
 ///                                what fit_perspective complains of
 template <real T>
 [[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const lamp<T>& from, T slide = T(1)) {
     constexpr auto function = "fit_perspective";
-    detail::require_warp_fit(fit, function);
-    const detail::lamp_view own = detail::view_of(from, fit, function);
-    return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, slide, function,
+    const warp_fit<T> whole = detail::completed(fit, from, function);
+    const detail::lamp_view own = detail::view_of(from, whole, function);
+    return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), whole, own.casters, slide, function,
                                   own.frame, detail::map_along(own),
-                                  [&] { return detail::unwarped(own, fit, function); });
+                                  [&] { return detail::unwarped(own, whole, function); });
 }
 
 }  // namespace umbrage

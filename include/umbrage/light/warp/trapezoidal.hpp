@@ -25,7 +25,7 @@ namespace umbrage {
 ///                receivers lie before it
 /// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                from there to 0.2 the warp grows, without a jump
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
 ///                                casters that are no box, a margin out of range, focus negative or not finite, and what
 ///                                gives matrices that are not finite
 /// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
@@ -34,11 +34,12 @@ namespace umbrage {
 template <real T = float>
 [[nodiscard]] warped_light<T> fit_trapezoidal(const warp_fit<T>& fit, T focus) {
     constexpr auto function = "fit_trapezoidal";
-    const detail::along_view v = detail::make_along_view(fit, function);
+    const warp_fit<T> whole = detail::completed(fit, function);
+    const detail::along_view v = detail::make_along_view(whole, function);
     detail::require(is_finite(focus) && focus >= T(0), function, "focus", "must be finite and not below 0");
     const double f = glm::max(v.camera_y + double(focus) * v.sine - v.first.y, 0.0), rest = 1.6 * v.length - 2.0 * f;
-    if (!(rest > 0.0)) return detail::unwarped(fit, function);
-    return detail::warped_along(v, 0.4 * v.length * f / rest, fit, function);
+    if (!(rest > 0.0)) return detail::unwarped(whole, function);
+    return detail::warped_along(v, 0.4 * v.length * f / rest, whole, function);
 }
 
 }  // namespace umbrage

@@ -42,7 +42,8 @@ template <real T = float>
 struct warp_fit {
     frustum<T> camera{};                          ///< that the map is for
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene
+    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene; where that is nothing, all of
+                                                  ///< the camera's frustum stands for it
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
                                                   ///< map, 0 to 1000
@@ -58,14 +59,22 @@ struct warped_light {
 
 namespace detail {
 
-/// Complains of what fits of all warps need.
+/// A fit that has what all warps need, or a complaint; `instead` stands for receivers that are none.
 template <real T>
-void require_warp_fit(const warp_fit<T>& fit, const char* function) {
+[[nodiscard]] warp_fit<T> completed(warp_fit<T> fit, const hull& instead, const char* function) {
+    if (fit.receivers.points.empty()) fit.receivers = instead;
     require_receivers(fit.receivers, function);
     // beyond that float has no digits left for the receivers, and rows of the matrix become multiples of w's
     require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin",
             "must be from 0 to 1000", double(fit.margin));
     if (fit.casters) (void)corners(*fit.casters);
+    return fit;
+}
+
+/// Where the camera sees nothing of the scene, all that it could see is as good.
+template <real T>
+[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const char* function) {
+    return completed(fit, fit.camera, function);
 }
 
 /// The way y goes in a map: the way the camera looks, or the camera's up where the sine between its view and the light

@@ -144,10 +144,10 @@ TEST_CASE_TEMPLATE("fit_directional_light: bad input", T, float, double) {
         CHECK(with([&](auto& f) { f.receivers = box(vec(-1), vec(1, -1, 1)); }).empty());   // a plane
         CHECK(with([&](auto& f) { f.receivers = box(vec(-1), vec(-1, -1, 1)); }).empty());  // a line
         CHECK(with([&](auto& f) { f.receivers = box(vec(2), vec(2)); }).starts_with(name + "receivers and margin "));
-        CHECK(with([](auto& f) { f.receivers = {}; }).starts_with(name + "receivers must not be empty"));
+        CHECK(with([](auto& f) { f.receivers = hull(); }) == "");
         CHECK(with([](auto& f) {
                   f.receivers = intersection(bounding_box<T>{}, bounding_box<T>{vec(2), vec(3)});
-              }).starts_with(name + "receivers must not be empty"));
+              }) == "");  // the camera sees nothing of the scene
         CHECK(with([&](auto& f) {
                   f.receivers = box(vec(-1), vec(1, -2, 1));
               }).starts_with("umbrage::bounding_box: low "));

@@ -71,7 +71,9 @@ struct scene {
 
     /// False where nothing is lit.
     bool make(light_space<double>& light) const {
-        return complaint([&] { light = fit_spot_light(fit); }).empty();
+        const auto fitted = fit_spot_light(fit);
+        light = fitted.value_or(light);
+        return fitted.has_value();
     }
 };
 
@@ -199,7 +201,8 @@ TEST_CASE_TEMPLATE("fit_spot_light: what lies between points, none of which is i
                                               .up = {0, 0, 1},
                                               .outer_angle_radians = std::atan(T(0.5)),
                                               .receivers = receivers,
-                                              .margin = 0});
+                                              .margin = 0})
+                               .value();
         return texture_matrix_uv<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip});
     };
     const glm::dmat4 strip =

@@ -149,7 +149,7 @@ TEST_CASE_TEMPLATE("fit_light_space_perspective: bad input, and cameras inside a
     CHECK(with([](auto&) {}, T(1e30)) == "");
     for (const T bad : {T(0), T(-1), nan}) CHECK(with([](auto&) {}, bad).starts_with(name + "distance "));
     CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
-    CHECK(with([](auto& f) { f.receivers.points.clear(); }).starts_with(name + "receivers "));
+    CHECK(with([](auto& f) { f.receivers.points.clear(); }) == "");  // the camera sees nothing of the scene
     for (const T bad : {T(-1), T(1e19), nan})
         CHECK(with([=](auto& f) { f.margin = bad; }).starts_with(name + "margin must be from 0 to 1000; got "));
     CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));

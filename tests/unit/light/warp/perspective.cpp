@@ -208,7 +208,7 @@ TEST_CASE_TEMPLATE("fit_perspective: bad input, and cameras inside and along", T
     for (const T slide : {T(1e-6), T(1e6)}) CHECK(with([](auto&) {}, slide) == "");
     for (const T bad : {T(0), T(-1), nan, infinity}) CHECK(with([](auto&) {}, bad).starts_with(name + "slide "));
     CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
-    CHECK(with([](auto& f) { f.receivers.points.clear(); }).starts_with(name + "receivers "));
+    CHECK(with([](auto& f) { f.receivers.points.clear(); }) == "");  // the camera sees nothing of the scene
     for (const T bad : {T(-1), T(1e19), nan})
         CHECK(with([=](auto& f) { f.margin = bad; }).starts_with(name + "margin must be from 0 to 1000; got "));
     CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));
