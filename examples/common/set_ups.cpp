@@ -58,7 +58,8 @@ placed_maps directional(const lit_view& v, const umbrage::hull& receivers, glm::
                                                            .up = up,
                                                            .receivers = receivers,
                                                            .casters = whole(v.scene),
-                                                           .snap_texels = snap_texels}));
+                                                           .snap_texels = snap_texels,
+                                                           .clip = umbrage::cpu_clip_space}));
 }
 
 /// Around what receives shadows in the cone; where that is nothing, around the scene.
@@ -68,7 +69,8 @@ placed_maps spot(const lit_view& v, const umbrage::polyhedron& receivers) {
                                   .up = v.light.up,
                                   .outer_angle_radians = v.light.outer_angle_radians,
                                   .receivers = receivers,
-                                  .casters = whole(v.scene)};
+                                  .casters = whole(v.scene),
+                                  .clip = umbrage::cpu_clip_space};
     auto light = umbrage::fit_spot_light(fit);
     fit.receivers = whole(v.scene);
     if (!light) light = umbrage::fit_spot_light(fit);
@@ -88,7 +90,8 @@ placed_maps perspective_spot(const lit_view& v) {
     const umbrage::warp_fit<double> fit{.camera = v.planes,
                                         .direction = v.light.direction,
                                         .receivers = intersection(seen(v, v.planes), cone),
-                                        .casters = whole(v.scene)};
+                                        .casters = whole(v.scene),
+                                        .clip = umbrage::cpu_clip_space};
     return one_map(v, {v.light.position, 1}, umbrage::fit_perspective(fit, lamp).light);
 }
 
@@ -109,7 +112,8 @@ placed_maps cascades(const lit_view& v, const frustum& range, double lambda, boo
                                            .direction = v.light.direction,
                                            .up = stable ? v.light.up : range.direction,
                                            .scene = whole(v.scene),
-                                           .map_size = v.map_size / 2};
+                                           .map_size = v.map_size / 2,
+                                           .clip = umbrage::cpu_clip_space};
     const auto splits = umbrage::practical_splits<4>(range.z_near, range.z_far, lambda);
     return of_cascades(
         v, stable ? umbrage::make_stable_cascades<4>(fit, splits) : umbrage::make_tight_cascades<4>(fit, splits),
@@ -120,7 +124,11 @@ placed_maps warped(const lit_view& v, const umbrage::warped_light<double>& warp)
     return one_map(v, {-v.light.direction, 0}, warp.light);
 }
 umbrage::warp_fit<double> warp_fit(const lit_view& v, const frustum& range) {
-    return {.camera = range, .direction = v.light.direction, .receivers = seen(v, range), .casters = whole(v.scene)};
+    return {.camera = range,
+            .direction = v.light.direction,
+            .receivers = seen(v, range),
+            .casters = whole(v.scene),
+            .clip = umbrage::cpu_clip_space};
 }
 
 using fit = umbrage::warp_fit<double>;
@@ -136,10 +144,13 @@ warp trapezoidal(const fit& f) { return umbrage::fit_trapezoidal(f, std::sqrt(f.
 placed_maps best_of(const lit_view& v, const frustum& range) {
     const fit f = warp_fit(v, range);
     const std::array names{"tight", "light-space", "light-space, mild", "trapezoidal", "perspective"};
-    const std::array lights{
-        umbrage::fit_directional_light<double>(
-            {.direction = f.direction, .up = range.direction, .receivers = f.receivers, .casters = f.casters}),
-        light_space(f).light, mild_light_space(f).light, trapezoidal(f).light, umbrage::fit_perspective(f).light};
+    const std::array lights{umbrage::fit_directional_light<double>({.direction = f.direction,
+                                                                    .up = range.direction,
+                                                                    .receivers = f.receivers,
+                                                                    .casters = f.casters,
+                                                                    .clip = umbrage::cpu_clip_space}),
+                            light_space(f).light, mild_light_space(f).light, trapezoidal(f).light,
+                            umbrage::fit_perspective(f).light};
     std::vector<umbrage::seen_point> points;
     for (glm::ivec2 p{0}; p.y < v.seen.size().y; p.y += 16)
         for (p.x = 0; p.x < v.seen.size().x; p.x += 16) {
@@ -157,8 +168,11 @@ placed_maps best_of(const lit_view& v, const frustum& range) {
 }
 
 placed_maps warped_cascades(const lit_view& v, const frustum& range) {
-    const umbrage::cascade_fit<double> f{
-        .camera = range, .direction = v.light.direction, .scene = whole(v.scene), .map_size = v.map_size / 2};
+    const umbrage::cascade_fit<double> f{.camera = range,
+                                         .direction = v.light.direction,
+                                         .scene = whole(v.scene),
+                                         .map_size = v.map_size / 2,
+                                         .clip = umbrage::cpu_clip_space};
     const auto splits = umbrage::practical_splits<4>(range.z_near, range.z_far, 0.9);
     return of_cascades(v, umbrage::make_warped_cascades<4>(f, splits, mild_light_space), splits);
 }

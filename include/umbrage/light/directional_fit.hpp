@@ -2,11 +2,12 @@
 //
 // A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
 //
-//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene});
+//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene, .clip = clip});
 //     auto tight = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene, .clip = clip});
 //     auto still = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024});
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024,
+//          .clip = clip});
 //
 #pragma once
 
@@ -23,7 +24,7 @@ template <real T = float>
 struct directional_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    hull receivers = bounding_box<T>{};           ///< box, sphere, frustum, polyhedron or points
+    std::optional<hull> receivers{};              ///< box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
     int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
@@ -51,7 +52,8 @@ struct light_box {
 template <real T>
 [[nodiscard]] light_space<T> fit_directional(const directional_fit<T>& fit, const char* function, const char* sides,
                                              const char* depths) {
-    require_receivers(fit.receivers, function);
+    require_given(fit.clip, function);
+    const hull& lit = given(fit.receivers, function);
     require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
     require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
     const bool snaps = fit.snap_texels > 0;
@@ -60,7 +62,7 @@ template <real T>
         look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
     const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
     const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
-    const hull& receivers = fit.receivers.points.empty() ? box_of_casters : fit.receivers;
+    const hull& receivers = lit.points.empty() ? box_of_casters : lit;
     const auto points = seen(frame, receivers.points);
     const auto [low, high] = extent_of(points);
     const auto [first, last] = extent_of(receivers.points);
@@ -97,8 +99,8 @@ template <real T>
 /// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
 /// origin, compute the texture matrix in double and round that.
 ///
-/// Where there are no receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box, or
-/// of one around the origin.
+/// Where there are no receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
+/// or of one around the origin.
 ///
 /// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
 ///                                box, a negative margin, and what gives matrices that are not finite

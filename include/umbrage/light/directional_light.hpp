@@ -2,7 +2,7 @@
 //
 // A directional light's space as the classic course exercise sets it up.
 //
-//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024});
+//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024, .clip = clip});
 //
 #pragma once
 

@@ -3,7 +3,7 @@
 // Two square maps around a point light, a paraboloid's image of either half of all directions in each. Shadows go by
 // distance, and straight edges become arcs: draw a mesh that tessellate has cut.
 //
-//     auto light = umbrage::make_dual_paraboloid_light<float>({.position = p, .range = 30, .border = 2});
+//     auto light = umbrage::make_dual_paraboloid_light<float>({.position = p, .range = 30, .border = 2, .clip = clip});
 //     auto cut = umbrage::tessellate(mesh, {p, umbrage::paraboloid_edge_angle(512, 2), 30});
 //     for (int map : {0, 1}) umbrage::rasterize_dual_paraboloid(maps[map].view(), cut.view(), light, map);
 //
@@ -86,6 +86,7 @@ template <real T = float>
     detail::require(light.map_size >= 16, function, "map_size", "must be at least 16");
     detail::require(light.border >= 0 && light.border <= light.map_size / 8, function, "border",
                     "must be at least 0 and at most an eighth of map_size");
+    detail::require_given(light.clip, function);
     detail::require(detail::all_finite(light.position), function, "position", "must be finite");
     const bool in_range = light.range > T(0) && detail::is_normal(light.range) && detail::is_normal(T(1) / light.range);
     detail::require(in_range, function, "range", "must be above 0, and it and 1 / range finite");

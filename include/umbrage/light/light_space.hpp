@@ -3,7 +3,8 @@
 // A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
 // matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
 //
-//     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
+//     auto light = umbrage::make_spot_light(
+//         {.position = {0, 5, 0}, .direction = {0, -1, 0}, .clip = umbrage::opengl_clip_space});
 //     glm::mat4 clip_from_world = light.projection * light.view;
 //
 #pragma once
@@ -141,10 +142,11 @@ template <real T>
     return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
 }
 
-/// perspective in the name of another function, which has checked the tangents; planes are its arguments that give them.
+/// perspective in the name of another function, which has checked the tangents; planes names what gives them.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
                                             const char* function, const char* planes = "z_near and z_far") {
+    require_given(clip, function);
     require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
     require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
     const auto [at_near, at_far] = ends<T>(clip);
@@ -169,6 +171,7 @@ template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
                                              clip_space clip, const char* function, const char* box,
                                              const char* planes) {
+    require_given(clip, function);
     require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
     require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
     require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");

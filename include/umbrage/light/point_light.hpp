@@ -2,7 +2,7 @@
 //
 // A point light's six spaces, for a cube texture's faces or an atlas's tiles.
 //
-//     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2});
+//     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2, .clip = clip});
 //     glm::vec3 at = umbrage::cube_coordinate(world - p);
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
 //

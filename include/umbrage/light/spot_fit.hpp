@@ -3,7 +3,8 @@
 // A spot light fitted to what of its cone receives shadows, with the near plane pulled towards what casts them.
 //
 //     const std::optional<umbrage::light_space<float>> light = umbrage::fit_spot_light<float>(
-//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//          .clip = clip});
 //     if (light) draw_depths(*light);  // else nothing that the camera sees is in the cone
 //
 #pragma once
@@ -27,7 +28,7 @@ struct spot_fit {
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
     T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
-    hull receivers = bounding_box<T>{};        ///< box, sphere, frustum, polyhedron or points
+    std::optional<hull> receivers{};           ///< box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
     bool has_far_plane = true;  ///< false: depth nears the far depth with distance
@@ -70,12 +71,13 @@ template <class = on_use>
 /// may stand within receivers and casters. For a sphere stands its box; of points counts all that lies between them, at
 /// a cost that grows with the square of their number where some lie outside: for a mesh give its box.
 /// @return      nothing where no receivers of some extent lie in the pyramid beyond z_near: the light needs no map
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers that are not finite,
-///                                casters that are no box, and what gives matrices that are not finite
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers that are not
+///                                finite, casters that are no box, and what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] std::optional<light_space<T>> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
-    detail::require_receivers(fit.receivers, function);
+    detail::require_given(fit.clip, function);
+    const hull& lit = detail::given(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
                     "outer_angle_radians", "must lie between 0 and pi / 2");
@@ -87,7 +89,7 @@ template <real T = float>
     const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
     const double edge = std::tan(double(angle)), closest(fit.z_near);
 
-    const auto before = detail::seen(frame, detail::corners_of(fit.receivers));
+    const auto before = detail::seen(frame, detail::corners_of(lit));
     const detail::extent around = detail::extent_of(before);
     const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
     if (!(around.high.z > closest)) return {};

@@ -2,7 +2,8 @@
 //
 // A spot light's space.
 //
-//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .outer_angle_radians = 0.6f});
+//     auto light = umbrage::make_spot_light(
+//         {.position = p, .direction = d, .outer_angle_radians = 0.6f, .clip = umbrage::opengl_clip_space});
 //
 #pragma once
 

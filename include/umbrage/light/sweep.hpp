@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -21,12 +22,14 @@
 namespace umbrage {
 namespace detail {
 
-/// In the name of a function whose argument they are.
+/// Receivers, or a complaint in the name of a function whose argument they are.
 template <class Use = on_use>
-void require_receivers(const rounded_hull<Use>& receivers, const char* function) {
-    bool finite = is_finite(receivers.radius) && receivers.radius >= 0.0;
-    for (const glm::dvec3& p : receivers.points) finite = finite && all_finite(p);
+[[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
+    require(receivers.has_value(), function, "receivers", "must be given; got none");
+    bool finite = is_finite(receivers->radius) && receivers->radius >= 0.0;
+    for (const glm::dvec3& p : receivers->points) finite = finite && all_finite(p);
     require(finite, function, "receivers", "must be finite");
+    return *receivers;
 }
 
 /// Points whose hull holds all receivers: in place of a ball the corners of its box.

@@ -2,7 +2,8 @@
 //
 // A point light's four spaces, a tetrahedron's faces, for triangles of one map.
 //
-//     auto faces = umbrage::make_tetrahedron_light<float>({.position = p, .map_size = 1024, .border = 2});
+//     auto faces = umbrage::make_tetrahedron_light<float>(
+//         {.position = p, .map_size = 1024, .border = 2, .clip = clip});
 //     umbrage::rasterize_tetrahedron(map.view(), mesh, faces);  // images/tetrahedron_pass.hpp
 //     glm::vec2 texel = umbrage::tetrahedron_texel(umbrage::tetrahedron_coordinate(world - p), 1024.0f, 2.0f);
 //

@@ -28,6 +28,7 @@ namespace umbrage {
 /// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
+    detail::require_given(light.clip, "texture_matrix", "light.clip");
     detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
     const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
     glm::mat<4, 4, T> scale_bias(T(1));

@@ -234,9 +234,9 @@ TEST_CASE("receiver_matrix: from a camera's texel and depth to where the world p
             const glm::vec3 there = project_coordinate(shadow_coordinate(m, texel));
             CHECK(glm::length(there - project_coordinate(shadow_coordinate(to_texels, world))) < 1e-3f);
         }
-    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {0, 1}, {}), std::invalid_argument);
-    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {1, -1}, {}), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {0, 1}, cpu_clip_space), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {1, -1}, cpu_clip_space), std::invalid_argument);
     const glm::mat4 flat(glm::inverse(glm::mat4(0.0f)));  // no camera
-    CHECK_THROWS_AS((void)receiver_matrix(flat, to_texels, size, {}), std::invalid_argument);
-    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(3e38f), to_texels, size, {}), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(flat, to_texels, size, cpu_clip_space), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(3e38f), to_texels, size, cpu_clip_space), std::invalid_argument);
 }

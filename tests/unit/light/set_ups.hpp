@@ -41,7 +41,7 @@ struct arguments {
     bounding_box<T> scene{vec(-10, -3, -10), vec(10, 8, 10)};
     vec eye{T(-2), T(1), T(6)}, ahead{T(0.1), T(-0.2), T(-1)};
     T tangent = T(0.8);
-    clip_space clip{};
+    clip_space clip = cpu_clip_space;
 
     [[nodiscard]] frustum<T> camera() const { return {eye, ahead, up, tangent, T(0.5), z_near, z_far}; }
 };

@@ -3,7 +3,7 @@
 // Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
 //
 //     const umbrage::cascade_fit<float> fit{
-//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f};
+//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f, .clip = clip};
 //     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
 //     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
@@ -38,13 +38,13 @@ struct cascade {
 
 template <real T = float>
 struct cascade_fit {
-    frustum<T> camera{};                          ///< but for its planes, in place of which there are splits
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as maps turn with it
-    bounding_box<T> scene{};                      ///< all casters and receivers
-    int map_size = 1024;                          ///< of each cascade, texels
-    T margin = T(2);                              ///< texels around: the filter's reach
-    T overlap = T(0);                             ///< share of a cascade that the next one holds too, 0 .. 1
+    frustum<T> camera{};                           ///< but for its planes, in place of which there are splits
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
+    bounding_box<T> scene = detail::unset_box<T>;  ///< all casters and receivers
+    int map_size = 1024;                           ///< of each cascade, texels
+    T margin = T(2);                               ///< texels around: the filter's reach
+    T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
     clip_space clip{};
 };
 
@@ -69,6 +69,8 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
                                                               const std::array<T, Count + 1>& splits,
                                                               const char* function) {
+    require_given(fit.clip, function);
+    require_given(fit.scene, function, "scene");
     require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
     for (std::size_t i = 0; i < Count; ++i)
         require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
@@ -132,8 +134,8 @@ template <std::size_t Count, real T, class Light>
 }  // namespace detail
 
 /// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
-/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths are those of the scene
-/// alone, one scale and one offset in all cascades, so that a constant bias is as many world units in each.
+/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
+/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each.
 ///
 /// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
 /// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,

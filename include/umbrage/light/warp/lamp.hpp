@@ -42,7 +42,7 @@ template <real T>
     const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
     lamp_view v;
     v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "from.position"), fit.clip.hand);
-    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(fit.receivers));
+    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(*fit.receivers));
     const auto [low, high] = extent_of(receivers);
     v.least = low.z, v.farthest = high.z;
     require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
@@ -58,7 +58,7 @@ template <real T>
 /// Where there are no receivers, what is right before the light is as good.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const lamp<T>& from, const char* function) {
-    if (!fit.receivers.points.empty()) return completed(fit, hull(), function);
+    if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
     const double closest(from.z_near);
     return completed(fit,
                      frustum<double>{.position = glm::dvec3(from.position),

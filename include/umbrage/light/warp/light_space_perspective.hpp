@@ -4,7 +4,8 @@
 // way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     auto warped = umbrage::fit_light_space_perspective(fit);
 //     auto milder = umbrage::fit_light_space_perspective(fit, umbrage::optimal_distance(fit));
 //
@@ -47,7 +48,7 @@ template <real T>
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
     const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera)[2];
     v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
-    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
+    const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
     const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
     v.first = {own.x, low.y, glm::clamp(own.z, low.z, high.z)};
@@ -99,7 +100,7 @@ template <real T>
 
 /// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
 /// camera's frustum is least: the mildest warp that is of use.
-/// @return      world units along the camera's view, across the light, > 0; infinite where camera and light look one way
+/// @return      world units along the camera's view, across the light, > 0; infinite where both look one way
 /// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
 ///              view, d their extent along it across the light, t the angle between view and light
 /// @throws std::invalid_argument  as fit_light_space_perspective does

@@ -5,7 +5,8 @@
 // perspective, from which it comes out as a point that shines, as one that swallows the light, or infinitely far away.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     umbrage::perspective_light<float> warped = umbrage::fit_perspective(fit);
 //     if (warped.seen_as == umbrage::light_image::none) report("light-space perspective in its place");
 //
@@ -173,7 +174,7 @@ template <real T, class Instead>
                                                   const glm::dmat4& frame, const glm::dmat4& stand_in,
                                                   Instead&& instead) {
     require(is_normal(slide) && slide > T(0), function, "slide", "must be above 0 and finite");
-    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
+    const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
     const glm::dvec4 image = to_ndc * light;
     std::vector<glm::dvec3> in_ndc;
@@ -192,7 +193,7 @@ template <real T, class Instead>
         const double share = share_of_stand_in(opening);
         glm::dmat4 to_map = rays * to_ndc;
         if (share > 0.0 && share < 1.0)
-            to_map = (1.0 - share) * filled(to_map, fit.receivers) + share * filled(stand_in, fit.receivers);
+            to_map = (1.0 - share) * filled(to_map, *fit.receivers) + share * filled(stand_in, *fit.receivers);
         const auto warped = share < 1.0 ? refit(to_map, fit, casters, function) : std::nullopt;
         if (warped)
             return {*warped, far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink};

@@ -4,7 +4,8 @@
 // for a ground, and for nothing else.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     auto ground = umbrage::fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));  // y = 0
 //     if (ground) draw_depths(ground->light);                               // else the plane is not seen, or not lit
 //

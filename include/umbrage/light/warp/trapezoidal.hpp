@@ -4,7 +4,8 @@
 // that up to a chosen distance the camera gets four fifths of the map.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     auto warped = umbrage::fit_trapezoidal(fit, 20.0f);
 //
 #pragma once
@@ -26,8 +27,8 @@ namespace umbrage {
 /// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
-///                                casters that are no box, a margin out of range, focus negative or not finite, and what
-///                                gives matrices that are not finite
+///                                casters that are no box, a margin out of range, focus negative or not finite, and
+///                                what gives matrices that are not finite
 /// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
 ///                l apart; with the focus f behind the top the legs meet 0.4 l f / (1.6 l - 2 f) before it
 /// @cite          Martin, Tan: Anti-aliasing and Continuity with Trapezoidal Shadow Maps, EGSR 2004

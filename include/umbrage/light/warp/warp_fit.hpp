@@ -4,7 +4,8 @@
 // lays any projective map of the world around the receivers.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     umbrage::warped_light<float> warped = umbrage::fit_light_space_perspective(fit);
 //     draw_depths(warped.light);
 //
@@ -42,7 +43,7 @@ template <real T = float>
 struct warp_fit {
     frustum<T> camera{};                          ///< that the map is for
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene; where that is nothing, all of
+    std::optional<hull> receivers{};              ///< what the camera sees of the scene; where that is nothing, all of
                                                   ///< the camera's frustum stands for it
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
@@ -62,8 +63,8 @@ namespace detail {
 /// A fit that has what all warps need, or a complaint; `instead` stands for receivers that are none.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(warp_fit<T> fit, const hull& instead, const char* function) {
-    if (fit.receivers.points.empty()) fit.receivers = instead;
-    require_receivers(fit.receivers, function);
+    require_given(fit.clip, function);
+    if (given(fit.receivers, function).points.empty()) fit.receivers = instead;
     // beyond that float has no digits left for the receivers, and rows of the matrix become multiples of w's
     require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin",
             "must be from 0 to 1000", double(fit.margin));
@@ -148,7 +149,7 @@ template <real T>
                                                    const polyhedron& casters, const char* function) {
     std::vector<glm::dvec3> receivers;
     double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
-    for (const glm::dvec3& p : corners_of(fit.receivers)) {
+    for (const glm::dvec3& p : corners_of(*fit.receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
         receivers.push_back(glm::dvec3(h) / h.w);

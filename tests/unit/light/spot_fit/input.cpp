@@ -65,7 +65,8 @@ TEST_CASE_TEMPLATE("fit_spot_light: bad input", T, float, double) {
     for (clip_space clip : all_clip_spaces()) {
         CAPTURE(to_string(clip));
         const auto with = [&](auto change) {
-            spot_fit<T> fit{.position = vec(0, 5, 0), .casters = bounding_box<T>{}, .clip = clip};
+            spot_fit<T> fit{
+                .position = vec(0, 5, 0), .receivers = bounding_box<T>{}, .casters = bounding_box<T>{}, .clip = clip};
             return complaint([&] {
                 change(fit);
                 const auto space = fit_spot_light(fit).value();
@@ -73,7 +74,8 @@ TEST_CASE_TEMPLATE("fit_spot_light: bad input", T, float, double) {
             });
         };
         const auto lights = [&](auto change) {
-            spot_fit<T> fit{.position = vec(0, 5, 0), .casters = bounding_box<T>{}, .clip = clip};
+            spot_fit<T> fit{
+                .position = vec(0, 5, 0), .receivers = bounding_box<T>{}, .casters = bounding_box<T>{}, .clip = clip};
             change(fit);
             return fit_spot_light(fit).has_value();
         };
@@ -117,7 +119,7 @@ TEST_CASE_TEMPLATE("fit_spot_light: whatever the numbers, finite matrices or a n
     };
     int made = 0, wrong = 0;
     for (int i = 0; i < 10000; ++i) {
-        spot_fit<T> fit{.clip = all_clip_spaces()[std::size_t(i % 16)]};
+        spot_fit<T> fit{.receivers = bounding_box<T>{}, .clip = all_clip_spaces()[std::size_t(i % 16)]};
         const std::string error = complaint([&] {
             if (i & 16) fit.position = vector();
             if (i & 32) fit.direction = vector();

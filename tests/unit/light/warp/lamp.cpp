@@ -23,7 +23,7 @@ namespace {
 const bounding_box<double> room{{-10, 0, -10}, {10, 5, 10}};
 
 struct lamp_setting {
-    warp_fit<double> fit;
+    warp_fit<double> fit{.receivers = bounding_box<double>{}, .clip = cpu_clip_space};
     lamp<double> from;
 };
 
@@ -65,7 +65,7 @@ TEST_CASE("fit_perspective, fit_plane_optimal: rays of a lamp are texels, depth 
     double rounded_texels = 0;
     for (int i = 0; i < 1200; ++i) {
         const lamp_setting s = random_lamp(random, i);
-        if (s.fit.receivers.points.empty()) continue;
+        if (s.fit.receivers->points.empty()) continue;
         const bool is_plane = i % 4 == 0;
         const auto warped = is_plane ? perspective_light<double>{} : fit_perspective(s.fit, s.from);
         light_space<double> light = warped.light;
@@ -84,7 +84,7 @@ TEST_CASE("fit_perspective, fit_plane_optimal: rays of a lamp are texels, depth 
         };
         const glm::dvec3 axis = glm::normalize(s.fit.direction);
         for (int k = 0; k < 8; ++k) {
-            const glm::dvec3 receiver = bodies::point_between(s.fit.receivers.points, random);
+            const glm::dvec3 receiver = bodies::point_between(s.fit.receivers->points, random);
             const glm::dvec3 at = place(receiver), back = s.from.position - receiver;
             const double w = (exact * glm::dvec4(receiver, 1)).w;
             if (is_plane && !(w > 0 && inside(at))) continue;
@@ -114,7 +114,7 @@ TEST_CASE("fit_perspective, fit_plane_optimal: rays of a lamp are texels, depth 
         };
         const auto spot =
             make_spot_light<double>({.position = s.from.position, .direction = s.fit.direction, .clip = s.fit.clip});
-        const glm::dvec3 seen = s.fit.receivers.points[0];
+        const glm::dvec3 seen = s.fit.receivers->points[0];
         if (!is_plane) mirrored += turn(light, seen) != turn(spot, seen);
     }
     CHECK(lost == 0);
@@ -133,7 +133,11 @@ TEST_CASE_TEMPLATE("lamps: bad input, and what warps of directional lights refus
     const T nan = std::numeric_limits<T>::quiet_NaN();
     const auto with = [](auto change) {
         return complaint([&] {
-            warp_fit<T> fit{.camera = {.position = {0, 1, 4}}, .direction = {0, -1, 0}, .casters = bounding_box<T>{}};
+            warp_fit<T> fit{.camera = {.position = {0, 1, 4}},
+                            .direction = {0, -1, 0},
+                            .receivers = bounding_box<T>{},
+                            .casters = bounding_box<T>{},
+                            .clip = cpu_clip_space};
             lamp<T> from{.position = {T(0.1), 3, 0}};
             change(fit, from);
             for (const auto& light :

@@ -119,7 +119,10 @@ TEST_CASE_TEMPLATE("fit_plane_optimal: bad input", T, float, double) {
     const T nan = std::numeric_limits<T>::quiet_NaN();
     const auto with = [](auto change, const vec4& plane = vec4(0, 1, 0, 1)) {
         return complaint([&] {
-            warp_fit<T> fit{.direction = {1, -2, T(0.5)}, .casters = bounding_box<T>{}};
+            warp_fit<T> fit{.direction = {1, -2, T(0.5)},
+                            .receivers = bounding_box<T>{},
+                            .casters = bounding_box<T>{},
+                            .clip = cpu_clip_space};
             change(fit);
             const auto warped = fit_plane_optimal(fit, plane).value();
             CHECK(umbrage::detail::all_finite(warped.light.projection * warped.light.view));
@@ -136,7 +139,10 @@ TEST_CASE_TEMPLATE("fit_plane_optimal: bad input", T, float, double) {
     CHECK(plane({0, 0, 0, 1}).starts_with(name + "plane "));
     CHECK(plane({nan, 1, 0, 1}).starts_with(name + "plane "));
     const auto is_seen = [](const vec4& of) {
-        return fit_plane_optimal(warp_fit<T>{.direction = {1, -2, T(0.5)}}, of).has_value();
+        return fit_plane_optimal(
+                   warp_fit<T>{.direction = {1, -2, T(0.5)}, .receivers = bounding_box<T>{}, .clip = cpu_clip_space},
+                   of)
+            .has_value();
     };
     CHECK(is_seen({0, 1, 0, 1}));
     CHECK(!is_seen({0, 0, 1, -5}));  // behind the camera

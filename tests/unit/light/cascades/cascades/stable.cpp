@@ -129,7 +129,8 @@ TEST_CASE_TEMPLATE("make_stable_cascades: 3 km out, points move by whole texels 
     for (int frame = 0; frame < 100; ++frame) {
         const double a = 0.37 * frame;
         cascade_fit<T> fit{.direction = {T(0.3), T(-1), T(0.2)},
-                           .scene = {glm::vec<3, T>(middle - 500.0), glm::vec<3, T>(middle + 500.0)}};
+                           .scene = {glm::vec<3, T>(middle - 500.0), glm::vec<3, T>(middle + 500.0)},
+                           .clip = cpu_clip_space};
         fit.camera.position = glm::vec<3, T>(middle + 5.0 * random_vector(random));
         fit.camera.direction = glm::vec<3, T>(glm::dvec3(std::cos(a), 0.3 * std::sin(3 * a), std::sin(a)));
         fit.camera.tan_half_x = fit.camera.tan_half_y = T(0.6);
@@ -157,7 +158,8 @@ TEST_CASE("make_stable_cascades: depths are the scene's alone, one scale for all
     cascade_fit<float> fit{.camera = {.position = {0, 2, 8}, .direction = {0, -1, -4}, .tan_half_x = 0.8f},
                            .direction = {-2, -6, -3},
                            .scene = {{-4, 0, -4}, {4, 0.3f, 4}},
-                           .overlap = 0.1f};
+                           .overlap = 0.1f,
+                           .clip = cpu_clip_space};
     const auto splits = practical_splits<4>(0.5f, 30.0f, 0.9f);
     const auto first = make_stable_cascades<4>(fit, splits);
     for (int step = 0; step < 1000; ++step) {
