@@ -14,7 +14,9 @@
 using namespace umbrage;
 
 template <class Body>
-concept gives_faces = requires(Body body) { static_cast<Body>(body).faces(); };
+concept gives_faces = requires(Body body) {
+    static_cast<Body>(body).faces();
+};
 static_assert(gives_faces<const polyhedron&> && !gives_faces<polyhedron&&> && !gives_faces<const polyhedron&&>);
 
 TEST_CASE("corners: of a box and of a frustum, by hand") {
