@@ -24,11 +24,11 @@ template <real T = float>
 struct directional_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    std::optional<hull> receivers{};              ///< box, sphere, frustum, polyhedron or points
+    std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
     int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
-    clip_space clip{};
+    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
 };
 
 namespace detail {

@@ -41,7 +41,7 @@ struct dual_paraboloid_light {
     T range = T(100);    ///< > 0, world units: distances from the light that have a depth
     int map_size = 512;  ///< of either map, in texels, >= 16
     int border = 0;      ///< texels around the half's circle, within map_size, at most an eighth of it
-    clip_space clip{};
+    clip_space clip{};   ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// Where in its map a direction is seen: the first holds +z, the other -z, each the way round that a right-handed view

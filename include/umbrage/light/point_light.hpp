@@ -26,7 +26,7 @@ struct point_light {
     T z_far = T(100);    ///< > z_near; infinite: no far plane
     int map_size = 512;  ///< of a face, in texels, > 2 border
     int border = 0;      ///< texels beyond each edge of the face, within map_size
-    clip_space clip{};
+    clip_space clip{};   ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// Views along cube_faces and perspective projections of 90 degrees and the border, whose first texel is (0, 0) of

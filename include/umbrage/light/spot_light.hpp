@@ -22,7 +22,7 @@ struct spot_light {
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
     T z_near = T(0.1);                                  ///< > 0, world units
     T z_far = T(100);                                   ///< > z_near; infinite: no far plane
-    clip_space clip{};
+    clip_space clip{};                                  ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// View and perspective projection around the light's cone, which the square map holds whole.

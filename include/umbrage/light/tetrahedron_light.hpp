@@ -38,7 +38,7 @@ struct tetrahedron_light {
     T z_far = T(100);     ///< > z_near; infinite: no far plane
     int map_size = 1024;  ///< of the square, in texels, > 6 border
     int border = 0;       ///< texels along each side of a triangle, within it
-    clip_space clip{};
+    clip_space clip{};    ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// A face's corners, in the order of the three other faces, which look away from them.

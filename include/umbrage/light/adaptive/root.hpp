@@ -28,8 +28,8 @@ struct page_root {
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as pages turn with it
     glm::vec<3, T> centre{T(0)};                   ///< of the square, world
     T side = T(1000);                              ///< world units, > 0
-    bounding_box<T> scene = detail::unset_box<T>;  ///< all casters and receivers: what depth spans
-    clip_space clip{};
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers, what depth spans
+    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// Side of pages in an atlas.

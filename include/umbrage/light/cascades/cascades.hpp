@@ -41,11 +41,11 @@ struct cascade_fit {
     frustum<T> camera{};                           ///< but for its planes, in place of which there are splits
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
-    bounding_box<T> scene = detail::unset_box<T>;  ///< all casters and receivers
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
     int map_size = 1024;                           ///< of each cascade, texels
     T margin = T(2);                               ///< texels around: the filter's reach
     T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
-    clip_space clip{};
+    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
 };
 
 namespace detail {

@@ -43,12 +43,12 @@ template <real T = float>
 struct warp_fit {
     frustum<T> camera{};                          ///< that the map is for
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    std::optional<hull> receivers{};              ///< what the camera sees of the scene; where that is nothing, all of
-                                                  ///< the camera's frustum stands for it
+    std::optional<hull> receivers{};              ///< required: what the camera sees of the scene; where that is
+                                                  ///< nothing, the camera's frustum stands for it
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
                                                   ///< map, 0 to 1000
-    clip_space clip{};
+    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
 };
 
 template <real T>
