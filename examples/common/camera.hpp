@@ -28,7 +28,7 @@
 namespace example {
 
 /// Pictures and maps of the examples: row 0 at the top, so that they are PNGs as they stand.
-inline constexpr umbrage::clip_space picture_clip{.origin = umbrage::texture_origin::top};
+inline constexpr umbrage::clip_space picture_clip = umbrage::webgpu_clip_space;
 
 /// Unit vector at the given angles in degrees: azimuth 0 is +z, 90 is +x; elevation 90 is +y.
 [[nodiscard]] inline glm::vec3 direction_at(float azimuth, float elevation) {

@@ -48,7 +48,8 @@ void overlay_maps(umbrage::image_view<glm::u8vec3> picture, const lit_view& v, c
         }
     };
     if (!have_matrices) return overlay(paraboloids(v, side));
-    const glm::dmat4 to_clip = glm::inverse(umbrage::texture_matrix<double>({}, maps.size));
+    const glm::dmat4 to_clip =
+        glm::inverse(umbrage::texture_matrix<double>({.clip = umbrage::cpu_clip_space}, maps.size));
     overlay([&](int i, umbrage::image<float>& depths) {
         draw_depths(depths, view_of(v.scene.geometry), once,
                     glm::mat4(to_clip * maps.all[static_cast<std::size_t>(i)]));

@@ -38,6 +38,7 @@ namespace example {
 namespace {
 
 using frustum = umbrage::frustum<double>;
+constexpr auto clip = umbrage::cpu_clip_space;
 
 umbrage::bounding_box<double> whole(const scene& s) { return {s.low, s.high}; }
 umbrage::polyhedron seen(const lit_view& v, const frustum& range) { return intersection(range, whole(v.scene)); }
@@ -58,17 +59,30 @@ placed_maps directional(const lit_view& v, const umbrage::hull& receivers, glm::
                                                            .up = up,
                                                            .receivers = receivers,
                                                            .casters = whole(v.scene),
-                                                           .snap_texels = snap_texels}));
+                                                           .snap_texels = snap_texels,
+                                                           .clip = clip}));
 }
 
+/// Around what receives shadows in the cone; where that is nothing, around the scene.
 placed_maps spot(const lit_view& v, const umbrage::polyhedron& receivers) {
-    return one_map(v, {v.light.position, 1},
-                   umbrage::fit_spot_light<double>({.position = v.light.position,
-                                                    .direction = v.light.direction,
-                                                    .up = v.light.up,
-                                                    .outer_angle_radians = v.light.outer_angle_radians,
-                                                    .receivers = receivers,
-                                                    .casters = whole(v.scene)}));
+    umbrage::spot_fit<double> fit{.position = v.light.position,
+                                  .direction = v.light.direction,
+                                  .up = v.light.up,
+                                  .outer_angle_radians = v.light.outer_angle_radians,
+                                  .receivers = receivers,
+                                  .casters = whole(v.scene),
+                                  .clip = clip};
+    const auto light = umbrage::fit_spot_light(fit);
+    fit.receivers = whole(v.scene);
+    return one_map(v, {v.light.position, 1}, light ? *light : umbrage::fit_spot_light(fit).value());
+}
+
+umbrage::warp_fit<double> warp_fit(const lit_view& v, const frustum& range) {
+    return {.camera = range,
+            .direction = v.light.direction,
+            .receivers = seen(v, range),
+            .casters = whole(v.scene),
+            .clip = clip};
 }
 
 /// A perspective shadow map of the spot, around what is seen in its cone.
@@ -81,10 +95,8 @@ placed_maps perspective_spot(const lit_view& v) {
                        .tan_half_y = edge,
                        .z_near = 2 * lamp.z_near,
                        .z_far = 2 * v.planes.z_far};
-    const umbrage::warp_fit<double> fit{.camera = v.planes,
-                                        .direction = v.light.direction,
-                                        .receivers = intersection(seen(v, v.planes), cone),
-                                        .casters = whole(v.scene)};
+    umbrage::warp_fit<double> fit = warp_fit(v, v.planes);
+    fit.receivers = intersection(seen(v, v.planes), cone);
     return one_map(v, {v.light.position, 1}, umbrage::fit_perspective(fit, lamp).light);
 }
 
@@ -100,12 +112,17 @@ placed_maps of_cascades(const lit_view& v, const Cascades& all, const std::array
                          });
 }
 
+umbrage::cascade_fit<double> cascade_fit(const lit_view& v, const frustum& range, glm::dvec3 up) {
+    return {.camera = range,
+            .direction = v.light.direction,
+            .up = up,
+            .scene = whole(v.scene),
+            .map_size = v.map_size / 2,
+            .clip = clip};
+}
+
 placed_maps cascades(const lit_view& v, const frustum& range, double lambda, bool stable) {
-    const umbrage::cascade_fit<double> fit{.camera = range,
-                                           .direction = v.light.direction,
-                                           .up = stable ? v.light.up : range.direction,
-                                           .scene = whole(v.scene),
-                                           .map_size = v.map_size / 2};
+    const auto fit = cascade_fit(v, range, stable ? v.light.up : range.direction);
     const auto splits = umbrage::practical_splits<4>(range.z_near, range.z_far, lambda);
     return of_cascades(
         v, stable ? umbrage::make_stable_cascades<4>(fit, splits) : umbrage::make_tight_cascades<4>(fit, splits),
@@ -115,10 +132,6 @@ placed_maps cascades(const lit_view& v, const frustum& range, double lambda, boo
 placed_maps warped(const lit_view& v, const umbrage::warped_light<double>& warp) {
     return one_map(v, {-v.light.direction, 0}, warp.light);
 }
-umbrage::warp_fit<double> warp_fit(const lit_view& v, const frustum& range) {
-    return {.camera = range, .direction = v.light.direction, .receivers = seen(v, range), .casters = whole(v.scene)};
-}
-
 using fit = umbrage::warp_fit<double>;
 using warp = umbrage::warped_light<double>;
 
@@ -132,10 +145,10 @@ warp trapezoidal(const fit& f) { return umbrage::fit_trapezoidal(f, std::sqrt(f.
 placed_maps best_of(const lit_view& v, const frustum& range) {
     const fit f = warp_fit(v, range);
     const std::array names{"tight", "light-space", "light-space, mild", "trapezoidal", "perspective"};
-    const std::array lights{
-        umbrage::fit_directional_light<double>(
-            {.direction = f.direction, .up = range.direction, .receivers = f.receivers, .casters = f.casters}),
-        light_space(f).light, mild_light_space(f).light, trapezoidal(f).light, umbrage::fit_perspective(f).light};
+    const umbrage::directional_fit<double> plain{
+        .direction = f.direction, .up = range.direction, .receivers = f.receivers, .casters = f.casters, .clip = clip};
+    const std::array lights{umbrage::fit_directional_light(plain), light_space(f).light, mild_light_space(f).light,
+                            trapezoidal(f).light, umbrage::fit_perspective(f).light};
     std::vector<umbrage::seen_point> points;
     for (glm::ivec2 p{0}; p.y < v.seen.size().y; p.y += 16)
         for (p.x = 0; p.x < v.seen.size().x; p.x += 16) {
@@ -153,8 +166,7 @@ placed_maps best_of(const lit_view& v, const frustum& range) {
 }
 
 placed_maps warped_cascades(const lit_view& v, const frustum& range) {
-    const umbrage::cascade_fit<double> f{
-        .camera = range, .direction = v.light.direction, .scene = whole(v.scene), .map_size = v.map_size / 2};
+    const auto f = cascade_fit(v, range, v.light.up);
     const auto splits = umbrage::practical_splits<4>(range.z_near, range.z_far, 0.9);
     return of_cascades(v, umbrage::make_warped_cascades<4>(f, splits, mild_light_space), splits);
 }
@@ -218,7 +230,8 @@ std::vector<set_up> all_set_ups() {
     }
     all.push_back({"plane-optimal on the ground", [](const lit_view& v) {
                        const glm::dvec4 ground(0, 1, 0, -v.scene.low.y);
-                       return warped(v, umbrage::fit_plane_optimal(warp_fit(v, v.planes), ground));
+                       const fit f = warp_fit(v, v.planes);
+                       return warped(v, umbrage::fit_plane_optimal(f, ground).value_or(light_space(f)));
                    }});
     all.push_back({"256 pages", &adaptive});
     for (set_up& s : point_set_ups()) all.push_back(std::move(s));

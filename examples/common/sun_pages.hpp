@@ -26,7 +26,7 @@ namespace example {
 
 [[nodiscard]] inline umbrage::light_space<double> page_root_around(glm::dvec3 low, glm::dvec3 high,
                                                                    glm::dvec3 direction, glm::dvec3 up,
-                                                                   umbrage::clip_space clip = {}) {
+                                                                   umbrage::clip_space clip = umbrage::cpu_clip_space) {
     return umbrage::make_page_root<double>({.direction = direction,
                                             .up = up,
                                             .centre = (low + high) / 2.0,

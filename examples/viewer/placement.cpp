@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <stdexcept>
 
 #include <umbrage/light/dual_paraboloid.hpp>
 #include <umbrage/light/point_light.hpp>
@@ -38,9 +37,8 @@ warped perspective(const fit& f) {
 }
 /// Of the scene's lowest plane, and of what shades that part of it which the screen shows.
 warped plane_optimal(const fit& f) {
-    try {
-        return {umbrage::fit_plane_optimal(f, glm::dvec4(0, 1, 0, -f.casters->low.y)), "the ground alone"};
-    } catch (const std::invalid_argument&) { return {tight(f).map, "tight, as no ground is seen"}; }
+    const auto ground = umbrage::fit_plane_optimal(f, glm::dvec4(0, 1, 0, -f.casters->low.y));
+    return ground ? warped{*ground, "the ground alone"} : warped{tight(f).map, "tight, as no ground is seen"};
 }
 
 struct placement {

@@ -7,6 +7,10 @@
 //
 #pragma once
 
+#include <string>
+
+#include <umbrage/config.hpp>
+#include <umbrage/literal.hpp>
 #include <umbrage/shader/snippet.hpp>
 
 namespace umbrage {
@@ -15,13 +19,14 @@ namespace umbrage {
 /// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what
 /// goes clockwise for the light goes clockwise in NDC, y up.
 enum class handedness { right, left };
-enum class depth_range { zero_to_one, minus_one_to_one };  ///< of z/w between the planes
-enum class depth_direction { forward, reversed };          ///< reversed: the near plane has the greater depth
-enum class texture_origin { bottom, top };                 ///< where texel (0, 0) is: at NDC y = -1, or y = +1
+enum class depth_range { unset, zero_to_one, minus_one_to_one };  ///< of z/w between the planes
+enum class depth_direction { forward, reversed };                 ///< reversed: the near plane has the greater depth
+enum class texture_origin { bottom, top };                        ///< where texel (0, 0) is: at NDC y = -1, or y = +1
 
+/// Nothing can guess it, and a wrong one makes everything lit: functions refuse one whose range is unset.
 struct clip_space {
     handedness hand = handedness::right;
-    depth_range range = depth_range::zero_to_one;
+    depth_range range = depth_range::unset;
     depth_direction direction = depth_direction::forward;
     texture_origin origin = texture_origin::bottom;
 
@@ -32,15 +37,64 @@ struct clip_space {
 inline constexpr clip_space opengl_clip_space{.range = depth_range::minus_one_to_one};
 
 /// Right-handed world, z/w in [0, 1]; the first texel is at NDC y = -1, which Vulkan draws at the top.
-inline constexpr clip_space vulkan_clip_space{};
+inline constexpr clip_space vulkan_clip_space{.range = depth_range::zero_to_one};
 
 /// Left-handed world, as D3DXMatrixLookAtLH has it, z/w in [0, 1], texels from the top.
-inline constexpr clip_space direct3d_clip_space{.hand = handedness::left, .origin = texture_origin::top};
+inline constexpr clip_space direct3d_clip_space{
+    .hand = handedness::left, .range = depth_range::zero_to_one, .origin = texture_origin::top};
 
 /// Right-handed world, z/w in [0, 1], texels from the top: WebGPU as three.js and glTF viewers use it, and right-handed
 /// worlds under Direct3D. WebGPU and Metal have no hand of their own: for a left-handed world take direct3d_clip_space.
-inline constexpr clip_space webgpu_clip_space{.origin = texture_origin::top};
+inline constexpr clip_space webgpu_clip_space{.range = depth_range::zero_to_one, .origin = texture_origin::top};
 inline constexpr clip_space metal_clip_space = webgpu_clip_space;
+
+/// Left-handed world, y up, depth reversed, texels from the top. Under OpenGL z/w is in [-1, 1], depth forward, and
+/// texels start at the bottom.
+inline constexpr clip_space unity_clip_space{.hand = handedness::left,
+                                             .range = depth_range::zero_to_one,
+                                             .direction = depth_direction::reversed,
+                                             .origin = texture_origin::top};
+inline constexpr clip_space unity_opengl_clip_space{.hand = handedness::left, .range = depth_range::minus_one_to_one};
+
+/// As Unity's. The world's up is z: give set-ups .up = {0, 0, 1}.
+inline constexpr clip_space unreal_clip_space = unity_clip_space;
+
+/// Godot 4.3 and later: right-handed world, depth reversed, the first texel at NDC y = -1.
+inline constexpr clip_space godot_clip_space{.range = depth_range::zero_to_one, .direction = depth_direction::reversed};
+
+/// Right-handed world, z/w in [0, 1], texels from the bottom: where no API draws, as in tests and on the CPU.
+inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one};
+
+/// Those of APIs and engines, with their names.
+struct named_clip_space {
+    literal name;
+    clip_space value;
+};
+inline constexpr named_clip_space clip_spaces[]{{"opengl_clip_space", opengl_clip_space},
+                                                {"vulkan_clip_space", vulkan_clip_space},
+                                                {"direct3d_clip_space", direct3d_clip_space},
+                                                {"webgpu_clip_space", webgpu_clip_space},
+                                                {"metal_clip_space", metal_clip_space},
+                                                {"unity_clip_space", unity_clip_space},
+                                                {"unity_opengl_clip_space", unity_opengl_clip_space},
+                                                {"unreal_clip_space", unreal_clip_space},
+                                                {"godot_clip_space", godot_clip_space}};
+
+namespace detail {
+
+inline void refuse_unset(const char* function, const char* argument) {
+    std::string message = "umbrage::";
+    for (const char* part : {function, ": ", argument, " must be given; got unset. Use "}) message += part;
+    for (const named_clip_space& each : clip_spaces) message.append(each.name).append(", ");
+    fail(message + "or cpu_clip_space where no API draws");
+}
+
+/// Refuses a clip space that nobody gave, in the name of a function whose argument it is.
+constexpr void require_given(clip_space clip, const char* function, const char* argument = "clip") {
+    if (clip.range == depth_range::unset) refuse_unset(function, argument);
+}
+
+}  // namespace detail
 
 /// The depth of the far plane, to which a map is cleared.
 [[nodiscard]] constexpr float cleared_depth(depth_direction direction) {

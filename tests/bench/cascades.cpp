@@ -19,7 +19,8 @@ namespace {
 struct state {
     umbrage::cascade_fit<float> fit{.camera = {.position = {0, 2, 0}, .tan_half_x = 1.03f, .tan_half_y = 0.577f},
                                     .direction = glm::normalize(glm::vec3(0.3f, -1, 0.2f)),
-                                    .scene = {{-600, 0, -1000}, {600, 10, 200}}};
+                                    .scene = {{-600, 0, -1000}, {600, 10, 200}},
+                                    .clip = umbrage::cpu_clip_space};
     std::array<float, 5> splits = umbrage::practical_splits<4>(0.5f, 1000.0f, 0.9f);
     std::array<umbrage::cascade<float>, 4> ours;
     std::array<glm::mat4, 4> theirs;

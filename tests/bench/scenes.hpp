@@ -85,19 +85,20 @@ struct lit_hills {
 
         glm::mat4 from_above(1.0f);
         from_above[2][2] = -1.0f, from_above[3][2] = 0.5f;  // depth 1/2 - height
-        umbrage::rasterize(screen, scene, from_above, {}, [&](glm::ivec2 texel, float z, unsigned) {
-            const glm::vec3 p((static_cast<float>(texel.x) + 0.5f) / 960.0f - 1.0f,
-                              (static_cast<float>(texel.y) + 0.5f) / 540.0f - 1.0f, 0.5f - z);
-            const glm::vec4 c = world_to_light * glm::vec4(p, 1.0f);
-            receivers[texel] = {(c.x + 1.0f) * 1024.0f, (c.y + 1.0f) * 1024.0f, c.z - 0.004f};
-            points[std::size_t(texel.y) * 1920 + std::size_t(texel.x)] = p + to_light * 0.016f;
-        });
+        umbrage::rasterize(screen, scene, from_above, umbrage::cpu_clip_space,
+                           [&](glm::ivec2 texel, float z, unsigned) {
+                               const glm::vec3 p((static_cast<float>(texel.x) + 0.5f) / 960.0f - 1.0f,
+                                                 (static_cast<float>(texel.y) + 0.5f) / 540.0f - 1.0f, 0.5f - z);
+                               const glm::vec4 c = world_to_light * glm::vec4(p, 1.0f);
+                               receivers[texel] = {(c.x + 1.0f) * 1024.0f, (c.y + 1.0f) * 1024.0f, c.z - 0.004f};
+                               points[std::size_t(texel.y) * 1920 + std::size_t(texel.x)] = p + to_light * 0.016f;
+                           });
     }
 
     /// The light's map: bench::map_size texels.
     void draw(umbrage::image<float>& map) const {
         std::ranges::fill(map.texels(), 1.0f);
-        umbrage::rasterize_depth(map, scene, world_to_light, {});
+        umbrage::rasterize_depth(map, scene, world_to_light, umbrage::cpu_clip_space);
     }
 };
 

@@ -239,7 +239,8 @@ void over_threads(measurements& m) {
             [&, parallel] { umbrage::visibility(depth, f32, receivers, umbrage::filters::box{2}, ours, parallel); });
         add("depth pass", "umbrage", [&, parallel] {
             std::ranges::fill(map.texels(), 1.0f);
-            umbrage::rasterize_depth(map, hills.scene, hills.world_to_light, {}, umbrage::cull_mode::none, parallel);
+            umbrage::rasterize_depth(map, hills.scene, hills.world_to_light, umbrage::cpu_clip_space,
+                                     umbrage::cull_mode::none, parallel);
         });
         add("a copy", "memcpy", [&, parallel] {
             parallel(bench::map_size.y, [&](int first, int last) {

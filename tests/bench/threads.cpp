@@ -160,7 +160,8 @@ const bench::registration rows([] {
                         threads(out.size().y, [&](int first, int last) {
                             std::fill(out.view().row(first), out.view().row(last - 1) + out.size().x, 1.0f);
                         });
-                        umbrage::rasterize_depth(out, *mesh, glm::mat4(1.0f), {}, umbrage::cull_mode::none, threads);
+                        umbrage::rasterize_depth(out, *mesh, glm::mat4(1.0f), umbrage::cpu_clip_space,
+                                                 umbrage::cull_mode::none, threads);
                     });
 });
 

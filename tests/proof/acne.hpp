@@ -49,7 +49,7 @@ struct any_filter {
           turned(requires { filter.points; }),
           is_lit{direction},
           visibility([=](auto& map, auto& seen, auto& lit) {
-              umbrage::visibility(map, umbrage::depth32f{}, seen, filter, lit);
+              umbrage::visibility(map, umbrage::depth32f{direction}, seen, filter, lit);
           }) {}
 };
 

@@ -127,7 +127,7 @@ protected:
                 if (kind_.is_spot) return fit_perspective(fit, {.position = position_, .z_near = 0.9f * z_near});
                 if (kind_.receivers == fitted_to::trapezoid) return fit_trapezoidal(fit, real(0.5f, 4));
                 if (kind_.receivers == fitted_to::perspective) return fit_perspective(fit);
-                if (kind_.receivers == fitted_to::ground) return fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));
+                if (kind_.receivers == fitted_to::ground) return fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0)).value();
                 return fit_light_space_perspective(fit);
             };
             light_ = warped().light;
@@ -148,7 +148,8 @@ protected:
                                             .receivers = seen,
                                             .casters = casters,
                                             .has_far_plane = kind_.has_far_plane,
-                                            .clip = clip_});
+                                            .clip = clip_})
+                         .value();
         }
         matrix_ = texture_matrix(light_, {map_size, map_size});
         planes_ = plane_matrix(matrix_);

@@ -47,6 +47,7 @@ namespace umbrage {
 template <real T>
 [[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
     constexpr auto function = "make_light_units";
+    detail::require_given(light.clip, function, "light.clip");
     detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
     const glm::mat<4, 4, T>& p = light.projection;
     detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light", "must not be warped: see light_units_at");

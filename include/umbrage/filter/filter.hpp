@@ -23,6 +23,10 @@ struct any_fetch {
     float operator()(glm::ivec2 texel) const;
 };
 
+/// A vector that GLM would cut down to a glm::vec2 without a warning: filters delete the call that takes it.
+template <class Coord>
+concept longer_than_vec2 = (Coord::length() > 2);
+
 }  // namespace detail
 
 /// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.

@@ -50,6 +50,7 @@ namespace detail {
 template <class Reach>
 [[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,
                             const glm::mat4& to_clip, clip_space clip, near_plane at_near) {
+    require_given(clip, "may_mark");
     if (!all_finite(to_clip)) return false;
     if (!all_finite(middle) || !all_finite(half)) return true;
     const glm::dmat4 rows = glm::transpose(glm::dmat4(to_clip));

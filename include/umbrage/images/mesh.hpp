@@ -29,7 +29,8 @@ enum class cull_mode { none, front, back };
 
 /// What becomes of what lies before the near plane: it is clipped off, or drawn with that plane's depth, so that
 /// casters between the light and a near plane at the receivers still cast. GPUs' depth clamp, but that the far plane
-/// still clips.
+/// still clips. A clamped caster has the near plane's depth: a receiver nearer to that plane than its bias is lit
+/// whatever stands before it. Fits without casters need a margin above the greatest bias.
 enum class near_plane { clips, clamps };
 
 /// The matrix that an instance of a mesh is drawn with.

@@ -67,7 +67,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
 /// @param cull           which faces to leave out
 /// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
 /// @param at_near        what becomes of what lies before the near plane
-/// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
+/// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
 /// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangles.hpp: set_up

@@ -42,6 +42,7 @@ struct depth_receivers {
 template <class = detail::on_use>
 [[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
                                         glm::ivec2 size, clip_space clip) {
+    detail::require_given(clip, "receiver_matrix");
     detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
     const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     glm::dmat4 to_clip(1.0);
@@ -54,7 +55,7 @@ template <class = detail::on_use>
     }
     const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
     detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
-                    "give a matrix that is not finite");
+                    "must give a finite matrix");
     return m;
 }
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <type_traits>
 
 #include <umbrage/clip_space.hpp>
@@ -132,6 +133,18 @@ template <class Fetch>
     return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
 }
 
+/// Refuses a filter and an encoding that take a map's depth to run opposite ways: one of them would see all in shadow.
+template <class Encoding, class Filter>
+void require_one_direction(const Encoding& encoding, const Filter& filter) {
+    if constexpr (requires { filter.is_lit.direction == encoding.direction; }) {
+        if (filter.is_lit.direction == encoding.direction) return;
+        const bool reversed = encoding.direction == depth_direction::reversed;
+        fail(std::string("umbrage::visibility: filter must compare ") + (reversed ? "reversed" : "forward") +
+             " depth, as encoding holds it; got " + (reversed ? "forward" : "reversed") +
+             ". Give both the map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}");
+    }
+}
+
 /// The far plane's depth, as the filter or else the encoding knows it.
 template <class Encoding, class Filter>
 [[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
@@ -177,6 +190,7 @@ template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
+    require_one_direction(encoding, filter);
     if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
     if (map.empty()) fail("umbrage::visibility: empty map");
     if (out.empty()) return;
@@ -208,14 +222,14 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 }  // namespace detail
 
 /// @param map         shadow map, texels of the encoding
-/// @param encoding    how the map's texels hold depth; its edge decides ties
+/// @param encoding    how the map's texels hold depth, and which way it runs; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
 ///                    (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides, an ivec2
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
 /// @param outside     what counts outside the map
-/// @throws std::invalid_argument  sizes differ, or the map is empty
+/// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,

@@ -51,6 +51,21 @@ struct frustum {
     T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
 };
 
+namespace detail {
+
+/// Where a set-up has to be given a box: one that is none, its low above its high.
+template <real T>
+inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
+
+/// Refuses a box that nobody gave.
+template <real T>
+void require_given(const bounding_box<T>& box, const char* function, const char* argument) {
+    require(!glm::all(glm::greaterThan(box.low, box.high)), function, argument,
+            "must be given, with low not above high; got no box");
+}
+
+}  // namespace detail
+
 using eight_corners = std::array<glm::dvec3, 8>;
 
 /// Corners in the order of their numbers' bits: x, y, z high.
@@ -162,7 +177,8 @@ public:
                    plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
     }
 
-    [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
+    [[nodiscard]] const std::vector<face>& faces() const& { return faces_; }
+    void faces() const&& = delete;  ///< of a temporary: they would dangle
     [[nodiscard]] bool empty() const { return faces_.empty(); }
 
     [[nodiscard]] static convex_body common(const convex_body& a, const convex_body& b) {

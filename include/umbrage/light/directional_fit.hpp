@@ -2,11 +2,12 @@
 //
 // A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
 //
-//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene});
+//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene, .clip = clip});
 //     auto tight = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene, .clip = clip});
 //     auto still = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024});
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024,
+//          .clip = clip});
 //
 #pragma once
 
@@ -24,11 +25,11 @@ template <real T = float>
 struct directional_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    hull receivers = bounding_box<T>{};           ///< box, sphere, frustum, polyhedron or points
+    std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
     int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
-    clip_space clip{};
+    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
 };
 
 namespace detail {
@@ -48,6 +49,46 @@ struct light_box {
             z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
 }
 
+/// fit_directional_light in the name of another function, whose arguments give the box's sides and depths.
+template <real T>
+[[nodiscard]] light_space<T> fit_directional(const directional_fit<T>& fit, const char* function, const char* sides,
+                                             const char* depths) {
+    require_given(fit.clip, function);
+    const hull& lit = given(fit.receivers, function);
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
+    const bool snaps = fit.snap_texels > 0;
+
+    light_space<T> space{
+        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
+    const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
+    const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
+    const hull& receivers = lit.points.empty() ? box_of_casters : lit;
+    const auto points = seen(frame, receivers.points);
+    const auto [low, high] = extent_of(points);
+    const auto [first, last] = extent_of(receivers.points);
+    const double radius = receivers.radius;
+    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
+    light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
+    if (fit.casters && snaps) {
+        const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
+        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
+    } else if (fit.casters) {
+        const auto swept = sweep(points, around);
+        box.z_near = glm::min(box.z_near, nearest(frame, *fit.casters, swept) - margin);
+    }
+    if (snaps) box = snapped(box, fit.snap_texels);
+
+    glm::dmat4 projection = orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
+    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        require(is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
+                "must not give too large or too small a box");
+    return checked(space, function, depths);
+}
+
 }  // namespace detail
 
 /// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
@@ -59,45 +100,16 @@ struct light_box {
 /// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
 /// origin, compute the texture matrix in double and round that.
 ///
-/// @throws std::invalid_argument  zero or non-finite direction, receivers empty or of no extent, casters that are no
+/// Where there are no receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
+/// or of one around the origin.
+///
+/// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
 ///                                box, a negative margin, and what gives matrices that are not finite
 /// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
 template <real T = float>
 [[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    constexpr auto function = "fit_directional_light", sides = "receivers and margin";
-    constexpr auto depths = "receivers, casters and margin";
-    detail::require_receivers(fit.receivers, function);
-    detail::require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    detail::require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
-    const bool snaps = fit.snap_texels > 0;
-
-    light_space<T> space{
-        detail::look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
-    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
-    const auto points = detail::seen(frame, fit.receivers.points);
-    const auto [low, high] = detail::extent_of(points);
-    const auto [first, last] = detail::extent_of(fit.receivers.points);
-    const double radius = fit.receivers.radius;
-    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
-    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
-    detail::light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
-    if (fit.casters && snaps) {
-        const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
-        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
-    } else if (fit.casters) {
-        const auto swept = detail::sweep(points, around);
-        box.z_near = detail::lesser(box.z_near, detail::nearest(frame, *fit.casters, swept) - margin);
-    }
-    if (snaps) box = detail::snapped(box, fit.snap_texels);
-
-    glm::dmat4 projection =
-        detail::orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
-    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
-    space.projection = glm::mat<4, 4, T>(projection);
-    for (glm::length_t i = 0; i < 3; ++i)
-        detail::require(detail::is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
-                        "give too large or too small a box");
-    return detail::checked(space, function, depths);
+    return detail::fit_directional(fit, "fit_directional_light", "receivers and margin",
+                                   "receivers, casters and margin");
 }
 
 }  // namespace umbrage

@@ -2,7 +2,7 @@
 //
 // A directional light's space as the classic course exercise sets it up.
 //
-//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024});
+//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024, .clip = clip});
 //
 #pragma once
 
@@ -20,7 +20,7 @@ struct directional_light {
     T texels_per_unit = T(10);                    ///< across the light, world units; > 0
     T z_near = T(0.1);                            ///< world units from the light
     T z_far = T(100);
-    clip_space clip{};
+    clip_space clip{};  ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.

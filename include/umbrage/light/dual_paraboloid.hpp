@@ -3,7 +3,7 @@
 // Two square maps around a point light, a paraboloid's image of either half of all directions in each. Shadows go by
 // distance, and straight edges become arcs: draw a mesh that tessellate has cut.
 //
-//     auto light = umbrage::make_dual_paraboloid_light<float>({.position = p, .range = 30, .border = 2});
+//     auto light = umbrage::make_dual_paraboloid_light<float>({.position = p, .range = 30, .border = 2, .clip = clip});
 //     auto cut = umbrage::tessellate(mesh, {p, umbrage::paraboloid_edge_angle(512, 2), 30});
 //     for (int map : {0, 1}) umbrage::rasterize_dual_paraboloid(maps[map].view(), cut.view(), light, map);
 //
@@ -13,6 +13,12 @@
 //
 // A vertex shader's gl_Position is projection * umbrage_dual_paraboloid_position(world - p, map), of the mesh as it is
 // cut. What is behind the map needs a clip distance: position.w - 0.1 * distance, say.
+//
+// plane_slope does not hold for distances. The bias is that of their slope a texel, with d = normalize(world - p) and t
+// the angle between d and the surface's normal; 0.825 texels are for what tessellation leaves of places:
+//
+//     float slope = depth * 2 * (1 + std::abs(d.z)) / (512 - 2 * 2) * std::tan(t);
+//     float bias = umbrage::acne_free_bias(glm::vec2(slope * std::sqrt(0.5f)), filter.reach() + 0.825f, error);
 //
 // A border of texels sees past the half: filters then need no other map, as in point_light.hpp.
 #pragma once
@@ -35,7 +41,7 @@ struct dual_paraboloid_light {
     T range = T(100);    ///< > 0, world units: distances from the light that have a depth
     int map_size = 512;  ///< of either map, in texels, >= 16
     int border = 0;      ///< texels around the half's circle, within map_size, at most an eighth of it
-    clip_space clip{};
+    clip_space clip{};   ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// Where in its map a direction is seen: the first holds +z, the other -z, each the way round that a right-handed view
@@ -80,6 +86,7 @@ template <real T = float>
     detail::require(light.map_size >= 16, function, "map_size", "must be at least 16");
     detail::require(light.border >= 0 && light.border <= light.map_size / 8, function, "border",
                     "must be at least 0 and at most an eighth of map_size");
+    detail::require_given(light.clip, function);
     detail::require(detail::all_finite(light.position), function, "position", "must be finite");
     const bool in_range = light.range > T(0) && detail::is_normal(light.range) && detail::is_normal(T(1) / light.range);
     detail::require(in_range, function, "range", "must be above 0, and it and 1 / range finite");

@@ -3,13 +3,15 @@
 // A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
 // matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
 //
-//     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
+//     auto light = umbrage::make_spot_light(
+//         {.position = {0, 5, 0}, .direction = {0, -1, 0}, .clip = umbrage::opengl_clip_space});
 //     glm::mat4 clip_from_world = light.projection * light.view;
 //
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <initializer_list>
 #include <limits>
 
@@ -41,6 +43,14 @@ inline void require(bool met, const char* function, const char* arguments, const
     fail(message);
 }
 
+/// The same, and the number that was given.
+inline void require(bool met, const char* function, const char* argument, const char* condition, double got) {
+    if (met) return;
+    char problem[128];
+    std::snprintf(problem, sizeof problem, "%s; got %g", condition, got);
+    require(false, function, argument, problem);
+}
+
 /// True for what neither overflowed nor is lost where denormals count as zero.
 template <real T>
 [[nodiscard]] bool is_normal(T v) {
@@ -51,8 +61,7 @@ template <real T>
 template <real T>
 [[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
     const bool finite = all_finite(light.view) && all_finite(light.projection);
-    require(finite && all_finite(light.projection * light.view), function, arguments,
-            "give a matrix that is not finite");
+    require(finite && all_finite(light.projection * light.view), function, arguments, "must give a finite matrix");
     return light;
 }
 
@@ -117,7 +126,7 @@ template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
                                            handedness hand) {
     const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
-    detail::require(detail::all_finite(view), "look_along", "position", "is too far out");
+    detail::require(detail::all_finite(view), "look_along", "position", "must be nearer to the origin");
     return view;
 }
 
@@ -134,10 +143,11 @@ template <real T>
     return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
 }
 
-/// perspective in the name of another function, which has checked the tangents.
+/// perspective in the name of another function, which has checked the tangents; planes names what gives them.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
-                                            const char* function) {
+                                            const char* function, const char* planes = "z_near and z_far") {
+    require_given(clip, function);
     require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
     require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
     const auto [at_near, at_far] = ends<T>(clip);
@@ -153,7 +163,7 @@ template <real T>
     m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
     m[3][2] = std::scalbn(product / (f - n), near_scale);
     m[2][3] = forward;
-    require(is_finite(m[3][2]), function, "z_near and z_far", "are too large and too close together");
+    require(is_finite(m[3][2]), function, planes, "must give planes farther apart, or nearer to 0");
     return m;
 }
 
@@ -162,21 +172,23 @@ template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
                                              clip_space clip, const char* function, const char* box,
                                              const char* planes) {
+    require_given(clip, function);
     require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
     require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
     require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
-    require(z_near < z_far, function, planes, "must be in order, some distance apart");
+    require(z_near < z_far, function, planes, "must give planes in order, some distance apart");
     const auto [at_near, at_far] = ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(1));
     for (glm::length_t i = 0; i < 2; ++i) {
         m[i][i] = T(2) / (high[i] - low[i]);
         m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
-        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");
+        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "must not give too large or too small a box");
     }
     m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
     m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
-    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "are too far apart or too close together");
+    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes,
+            "must give planes neither too far apart nor too close together");
     return m;
 }
 

@@ -15,7 +15,9 @@
 namespace umbrage {
 
 /// z/w of the near plane: 0 or -1, and 1 where depth is reversed.
+/// @throws std::invalid_argument  clip unset
 [[nodiscard]] constexpr float near_depth(clip_space clip) {
+    detail::require_given(clip, "near_depth");
     if (clip.direction == depth_direction::reversed) return 1.0f;
     return clip.range == depth_range::zero_to_one ? 0.0f : -1.0f;
 }

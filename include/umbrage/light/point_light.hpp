@@ -2,7 +2,7 @@
 //
 // A point light's six spaces, for a cube texture's faces or an atlas's tiles.
 //
-//     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2});
+//     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2, .clip = clip});
 //     glm::vec3 at = umbrage::cube_coordinate(world - p);
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
 //
@@ -26,7 +26,7 @@ struct point_light {
     T z_far = T(100);    ///< > z_near; infinite: no far plane
     int map_size = 512;  ///< of a face, in texels, > 2 border
     int border = 0;      ///< texels beyond each edge of the face, within map_size
-    clip_space clip{};
+    clip_space clip{};   ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// Views along cube_faces and perspective projections of 90 degrees and the border, whose first texel is (0, 0) of

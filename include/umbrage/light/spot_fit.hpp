@@ -2,8 +2,10 @@
 //
 // A spot light fitted to what of its cone receives shadows, with the near plane pulled towards what casts them.
 //
-//     auto light = umbrage::fit_spot_light<float>(
-//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//     const std::optional<umbrage::light_space<float>> light = umbrage::fit_spot_light<float>(
+//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//          .clip = clip});
+//     if (light) draw_depths(*light);  // else nothing that the camera sees is in the cone
 //
 #pragma once
 
@@ -26,11 +28,11 @@ struct spot_fit {
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
     T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
-    hull receivers = bounding_box<T>{};        ///< box, sphere, frustum, polyhedron or points
+    std::optional<hull> receivers{};           ///< required: box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
     bool has_far_plane = true;  ///< false: depth nears the far depth with distance
-    clip_space clip{};
+    clip_space clip{};          ///< required: your API's or engine's, see clip_space.hpp
 };
 
 namespace detail {
@@ -68,13 +70,14 @@ template <class = on_use>
 /// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
 /// may stand within receivers and casters. For a sphere stands its box; of points counts all that lies between them, at
 /// a cost that grows with the square of their number where some lie outside: for a mesh give its box.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers empty, none in the
-///                                pyramid beyond z_near, or none of some extent there, casters that are no box, and
-///                                what gives matrices that are not finite
+/// @return      nothing where no receivers of some extent lie in the pyramid beyond z_near: the light needs no map
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers that are not
+///                                finite, casters that are no box, and what gives matrices that are not finite
 template <real T = float>
-[[nodiscard]] light_space<T> fit_spot_light(const spot_fit<T>& fit) {
+[[nodiscard]] std::optional<light_space<T>> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
-    detail::require_receivers(fit.receivers, function);
+    detail::require_given(fit.clip, function);
+    const hull& lit = detail::given(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
                     "outer_angle_radians", "must lie between 0 and pi / 2");
@@ -86,13 +89,14 @@ template <real T = float>
     const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
     const double edge = std::tan(double(angle)), closest(fit.z_near);
 
-    const auto before = detail::seen(frame, detail::corners_of(fit.receivers));
+    const auto before = detail::seen(frame, detail::corners_of(lit));
     const detail::extent around = detail::extent_of(before);
-    const glm::dvec3 size = detail::greater(glm::abs(around.low), glm::abs(around.high));
-    detail::require(around.high.z > closest && is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function,
-                    "receivers", "must lie before the light, beyond z_near");
+    const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
+    if (!(around.high.z > closest)) return {};
+    detail::require(is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function, "receivers",
+                    "must lie nearer to the light");
     const auto receivers = detail::tangents(before, edge, closest);
-    detail::require(!receivers.empty(), function, "receivers", "must lie in the cone");
+    if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
     const double share(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
     double z_near = low.z;
@@ -103,17 +107,17 @@ template <real T = float>
     const glm::dvec2 first = detail::greater(glm::dvec2(low) - margin, glm::dvec2(-edge)),
                      last = detail::lesser(glm::dvec2(high) + margin, glm::dvec2(edge));
     const glm::dvec2 half = (last - first) * 0.5;
-    detail::require(half.x > 0.0 && half.y > 0.0 && z_near < z_far, function, "receivers and margin",
-                    "must have some extent in the cone");
+    if (!(half.x > 0.0 && half.y > 0.0 && z_near < z_far)) return {};
 
-    glm::dmat4 projection = detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function);
+    glm::dmat4 projection =
+        detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");
     for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
     space.projection = glm::mat<4, 4, T>(projection);
     for (glm::length_t i = 0; i < 2; ++i)
         detail::require(detail::is_normal(space.projection[i][i]), function, "receivers and margin",
-                        "give too large or too small a map");
+                        "must not give too large or too small a map");
     detail::require(detail::is_normal(space.projection[3][2]), function, "z_near and receivers",
-                    "give planes too far apart or too close together");
+                    "must give planes neither too far apart nor too close together");
     return detail::checked(space, function, "position, z_near and receivers");
 }
 

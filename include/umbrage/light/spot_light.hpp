@@ -2,7 +2,8 @@
 //
 // A spot light's space.
 //
-//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .outer_angle_radians = 0.6f});
+//     auto light = umbrage::make_spot_light(
+//         {.position = p, .direction = d, .outer_angle_radians = 0.6f, .clip = umbrage::opengl_clip_space});
 //
 #pragma once
 
@@ -21,7 +22,7 @@ struct spot_light {
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
     T z_near = T(0.1);                                  ///< > 0, world units
     T z_far = T(100);                                   ///< > z_near; infinite: no far plane
-    clip_space clip{};
+    clip_space clip{};                                  ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// View and perspective projection around the light's cone, which the square map holds whole.

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -20,13 +22,14 @@
 namespace umbrage {
 namespace detail {
 
-/// In the name of a function whose argument they are.
+/// Receivers, or a complaint in the name of a function whose argument they are.
 template <class Use = on_use>
-void require_receivers(const rounded_hull<Use>& receivers, const char* function) {
-    require(!receivers.points.empty(), function, "receivers", "must not be empty");
-    bool finite = is_finite(receivers.radius) && receivers.radius >= 0.0;
-    for (const glm::dvec3& p : receivers.points) finite = finite && all_finite(p);
+[[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
+    require(receivers.has_value(), function, "receivers", "must be given; got none");
+    bool finite = is_finite(receivers->radius) && receivers->radius >= 0.0;
+    for (const glm::dvec3& p : receivers->points) finite = finite && all_finite(p);
     require(finite, function, "receivers", "must be finite");
+    return *receivers;
 }
 
 /// Points whose hull holds all receivers: in place of a ball the corners of its box.
@@ -73,8 +76,9 @@ template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
     std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
     sort(points, [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    // from b on: a and b may be one corner but for rounding, and (c - a) would then have lost their turn
     const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-        return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
+        return (b.x - a.x) * (c.y - b.y) <= (b.y - a.y) * (c.x - b.x);
     };
     for (const bool back : {false, true}) {
         const std::size_t first = hull.size();
@@ -123,10 +127,10 @@ template <class = on_use>
     return kept;
 }
 
-/// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only
-/// rounding tells apart: their direction says nothing.
+/// A plane (a, b, 0, c) through each edge of a hull; none through edges between points that differ by rounding only, as
+/// their direction is arbitrary.
 template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
+[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull) {
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
     double longest = 0.0;
@@ -134,19 +138,24 @@ template <class = on_use>
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
         if (glm::length(inwards) <= longest * 0x1p-32) continue;
-        planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
+        planes.emplace_back(inwards, 0.0, -glm::dot(inwards, a));
     }
     return planes;
 }
 
-/// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
+/// Planes around what points sweep, each point with the square of `outwards` around it. Squares keep the planes
+/// continuous while points move: sides moved outwards would jump where a corner of the hull splits in two.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
-    std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
-    const auto [least, greatest] = extent_of(seen);
-    const glm::dvec3 low = least - outwards, high = greatest + outwards;
-    planes.insert(planes.end(), {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}});
-    return planes;
+    const auto [low, high] = extent_of(seen);
+    // casters that touch a side are within it, whichever way it was rounded
+    const double around = glm::max(outwards, 0x1p-32 * glm::max(high.x - low.x, high.y - low.y));
+    std::vector<glm::dvec3> corners;
+    corners.reserve(4 * seen.size());
+    for (const glm::dvec3& p : seen)
+        for (const double x : {p.x - around, p.x + around})
+            for (const double y : {p.y - around, p.y + around}) corners.emplace_back(x, y, p.z);
+    return sides(convex_hull(corners));
 }
 
 /// The least distance along the light of a box's faces within planes; highest<double> where none is.

@@ -2,7 +2,8 @@
 //
 // A point light's four spaces, a tetrahedron's faces, for triangles of one map.
 //
-//     auto faces = umbrage::make_tetrahedron_light<float>({.position = p, .map_size = 1024, .border = 2});
+//     auto faces = umbrage::make_tetrahedron_light<float>(
+//         {.position = p, .map_size = 1024, .border = 2, .clip = clip});
 //     umbrage::rasterize_tetrahedron(map.view(), mesh, faces);  // images/tetrahedron_pass.hpp
 //     glm::vec2 texel = umbrage::tetrahedron_texel(umbrage::tetrahedron_coordinate(world - p), 1024.0f, 2.0f);
 //
@@ -37,7 +38,7 @@ struct tetrahedron_light {
     T z_far = T(100);     ///< > z_near; infinite: no far plane
     int map_size = 1024;  ///< of the square, in texels, > 6 border
     int border = 0;       ///< texels along each side of a triangle, within it
-    clip_space clip{};
+    clip_space clip{};    ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// A face's corners, in the order of the three other faces, which look away from them.

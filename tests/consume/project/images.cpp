@@ -31,8 +31,10 @@ float shadow(const umbrage::image<float>& depth, const umbrage::image<glm::vec3>
 bool shadows() {
     const std::array<glm::vec3, 4> square{{{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}}};
     const std::array<glm::uvec3, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
-    const auto spot = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}, .z_near = 1});
-    const auto sun = umbrage::make_directional_light({.direction = {0, -1, 0}, .map_size = map_size.x, .z_far = 20});
+    const auto spot = umbrage::make_spot_light(
+        {.position = {0, 5, 0}, .direction = {0, -1, 0}, .z_near = 1, .clip = umbrage::cpu_clip_space});
+    const auto sun = umbrage::make_directional_light(
+        {.direction = {0, -1, 0}, .map_size = map_size.x, .z_far = 20, .clip = umbrage::cpu_clip_space});
 
     bool ok = true;
     for (const umbrage::light_space<float>& light : {spot, sun}) {

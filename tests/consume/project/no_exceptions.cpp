@@ -13,7 +13,9 @@
 
 namespace {
 
-void bad_input() { (void)umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, 0, 0}}); }
+void bad_input() {
+    (void)umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, 0, 0}, .clip = umbrage::cpu_clip_space});
+}
 
 void handler(const char* message) {
     std::fprintf(stderr, "handled: %s", message);

@@ -80,7 +80,7 @@ struct raster_suite : image_suite {
         }
         const auto covered = [&](glm::ivec2 size) {
             image<std::uint32_t> ids(size);
-            rasterize(size, {positions, triangles}, glm::mat4(1.0f), {},
+            rasterize(size, {positions, triangles}, glm::mat4(1.0f), cpu_clip_space,
                       [&](glm::ivec2 t, float, unsigned id) { ids[t] += 1u + id * id; });
             return ids;
         };
@@ -145,14 +145,15 @@ struct raster_suite : image_suite {
         std::vector<image<float>> expected = before;
         detail::isa_in_use = isa::base;
         for (auto& depth : expected)
-            rasterize(depth.size(), {positions, triangles}, matrix, {}, [&](glm::ivec2 t, float z, unsigned) {
-                if (less_equal{}(z, depth[t])) depth[t] = z;
-            });
+            rasterize(depth.size(), {positions, triangles}, matrix, cpu_clip_space,
+                      [&](glm::ivec2 t, float z, unsigned) {
+                          if (less_equal{}(z, depth[t])) depth[t] = z;
+                      });
         run<float>(
             "rasterize_depth", [&](int s, glm::ivec2 t) { return expected[std::size_t(s)][t]; },
             [&](int s, image_view<float> out, pieces parallel) {
                 copy(before[std::size_t(s)], out);
-                rasterize_depth(out, {positions, triangles}, matrix, {}, cull_mode::none, parallel);
+                rasterize_depth(out, {positions, triangles}, matrix, cpu_clip_space, cull_mode::none, parallel);
             },
             agree::in_a_mode);
     }

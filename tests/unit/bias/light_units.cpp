@@ -93,7 +93,7 @@ TEST_CASE(
     std::mt19937 random(3);
     std::uniform_real_distribution<double> coordinate(-1, 1);
     for (int i = 0; i < 64; ++i) {
-        warp_fit<double> fit{.clip = all_clip_spaces()[std::size_t(i % 16)]};
+        warp_fit<double> fit{.receivers = bounding_box<double>{}, .clip = all_clip_spaces()[std::size_t(i % 16)]};
         fit.camera = {.position = {0, 2, 0}, .direction = {coordinate(random), 0, -1}};
         fit.direction = {coordinate(random), -1, coordinate(random)};
         const auto light = fit_light_space_perspective(fit).light;
@@ -161,17 +161,18 @@ TEST_CASE("light_units_at: a bias in world units keeps a warped map's planes off
 
 TEST_CASE("make_light_units: by hand, and what is refused") {
     // 300 texels over 30 units, 0.1 to 100 before the light
-    const auto sun = make_directional_light<double>({.map_size = 300});
+    const auto sun = make_directional_light<double>({.map_size = 300, .clip = cpu_clip_space});
     CHECK(make_light_units(sun, {300, 300}).x == doctest::Approx(0.1));
     CHECK(make_light_units(sun, {300, 300}).y == doctest::Approx(1 / 99.9));
     CHECK(make_light_units(sun, {300, 150}).x == doctest::Approx(0.2));  // the longer edge
-    const auto spot = make_spot_light<double>({.outer_angle_radians = std::atan(0.5), .z_near = 1, .z_far = 3});
+    const auto spot = make_spot_light<double>(
+        {.outer_angle_radians = std::atan(0.5), .z_near = 1, .z_far = 3, .clip = cpu_clip_space});
     CHECK(make_light_units(spot, {100, 100}).x == doctest::Approx(0.01));
     CHECK(make_light_units(spot, {100, 100}).y == doctest::Approx(1.5));  // depth 1.5 - 1.5 / w
     for (glm::ivec2 none : {glm::ivec2(0, 1), glm::ivec2(1, 0), glm::ivec2(-1)})
         CHECK(complaint([&] { static_cast<void>(make_light_units(sun, none)); }) ==
               "umbrage::make_light_units: map_size must be above 0");
-    light_space<float> flat;
+    light_space<float> flat{.clip = cpu_clip_space};
     flat.projection[2][2] = 0;
     CHECK(complaint([&] {
               static_cast<void>(make_light_units(flat, {1, 1}));

@@ -136,8 +136,12 @@ TEST_CASE("view_z_from_reversed_depth: keeps the digits that 1 - depth drops") {
 TEST_CASE(
     "view_z_from_orthographic_depth, orthographic_depth_from_view_z: the directional light's matrices, either way") {
     for (auto direction : {depth_direction::forward, depth_direction::reversed}) {
-        const auto light = make_directional_light<double>(
-            {.direction = {0, 0, -1}, .offset = 0, .z_near = -2, .z_far = 6, .clip = {.direction = direction}});
+        const auto light =
+            make_directional_light<double>({.direction = {0, 0, -1},
+                                            .offset = 0,
+                                            .z_near = -2,
+                                            .z_far = 6,
+                                            .clip = {.range = depth_range::zero_to_one, .direction = direction}});
         const glm::dmat4 m = texture_matrix_uv(light);
         const bool reversed = direction == depth_direction::reversed;
         const double z_near = reversed ? 6 : -2, z_far = reversed ? -2 : 6;

@@ -28,7 +28,21 @@ bool turn(Filter& filter, depth_direction direction) {
     return direction == depth_direction::forward;
 }
 
+template <class Filter, class Coord>
+concept takes = requires(const Filter& filter, float (*fetch)(glm::ivec2), Coord coord) {
+    filter(fetch, coord, 0.5f);
+};
+
 }  // namespace
+
+TEST_CASE("filters: take two coordinates; GLM would cut more down to two without a warning") {
+    for_each_filter([]<class Filter>(const Filter&) {
+        static_assert(takes<Filter, glm::vec2> && takes<Filter, const glm::vec2&>);
+        static_assert(!takes<Filter, glm::vec3> && !takes<Filter, glm::vec4> && !takes<Filter, const glm::vec3&>);
+        static_assert(!takes<Filter, glm::dvec3> && !takes<Filter, glm::dvec4>);
+    });
+    static_assert(!takes<filters::pcss, glm::vec3> && !takes<filters::dpcf, glm::vec4>);
+}
 
 TEST_CASE("filters: each knows itself, under a name of its own") {
     std::set<std::string_view> names;

@@ -26,7 +26,8 @@ const glm::mat4 wide_camera = glm::perspectiveRH_ZO(glm::radians(90.0f), 1.0f, 0
 TEST_CASE("triangle_weights: by hand, with rows from the bottom and from the top") {
     for (auto origin : {umbrage::texture_origin::bottom, umbrage::texture_origin::top}) {
         const bool top = origin == umbrage::texture_origin::top;
-        const triangle_weights weights({2, 2}, one_triangle{}, wide_camera, {.origin = origin}, 0);
+        const triangle_weights weights({2, 2}, one_triangle{}, wide_camera,
+                                       {.range = umbrage::depth_range::zero_to_one, .origin = origin}, 0);
         // w of 1, 1 and 3: x / w = (-(1 - c) + 3 c) / (1 + 2 c) is -1/2 for c = 1/10 and 1/2 for c = 1/2
         const glm::vec3 left = weights({0, top ? 1 : 0}), right = weights({1, top ? 0 : 1});
         CHECK(left.z == doctest::Approx(0.1));
@@ -41,8 +42,8 @@ TEST_CASE("triangle_weights: what has no area or is not finite counts as its fir
     one_triangle m;
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         m.positions[1].y = bad;
-        CHECK(triangle_weights({2, 2}, m, wide_camera, {}, 0)({0, 0}) == glm::vec3(1, 0, 0));
+        CHECK(triangle_weights({2, 2}, m, wide_camera, umbrage::cpu_clip_space, 0)({0, 0}) == glm::vec3(1, 0, 0));
     }
     m.positions = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-    CHECK(triangle_weights({2, 2}, m, wide_camera, {}, 0)({1, 1}) == glm::vec3(1, 0, 0));
+    CHECK(triangle_weights({2, 2}, m, wide_camera, umbrage::cpu_clip_space, 0)({1, 1}) == glm::vec3(1, 0, 0));
 }

@@ -56,7 +56,7 @@ TEST_CASE("seen_range: walls at 3 and 60 in front of a camera, forward and rever
     const std::vector<glm::uvec3> triangles{{0, 1, 2}, {3, 4, 5}};
     for (const auto direction : {depth_direction::forward, depth_direction::reversed})
         for (const float z_far : {1000.0f, std::numeric_limits<float>::infinity()}) {
-            const clip_space clip{.direction = direction};
+            const clip_space clip{.range = depth_range::zero_to_one, .direction = direction};
             image<float> map({64, 64}, cleared_depth(clip));
             rasterize_depth(map, {positions, triangles}, perspective(1.0f, 1.0f, 0.1f, z_far, clip), clip);
             const glm::vec2 range = seen_range(measure_depths(map, cleared_depth(clip)), 0.1f, z_far, direction);

@@ -39,11 +39,13 @@ TEST_CASE("choose_light: a warp over the ground, by what a full measurement says
     REQUIRE(seen.size() > 300);
     for (const auto& sun : reference_view::suns) {
         const warp_fit<double> fit = reference_view::warp_under(sun);
-        const std::array lights{
-            fit_directional_light<double>(
-                {.direction = fit.direction, .up = fit.camera.direction, .receivers = fit.receivers, .margin = 0}),
-            fit_light_space_perspective<double>(fit, optimal_distance(fit)).light,
-            fit_light_space_perspective(fit).light};
+        const std::array lights{fit_directional_light<double>({.direction = fit.direction,
+                                                               .up = fit.camera.direction,
+                                                               .receivers = fit.receivers,
+                                                               .margin = 0,
+                                                               .clip = cpu_clip_space}),
+                                fit_light_space_perspective<double>(fit, optimal_distance(fit)).light,
+                                fit_light_space_perspective(fit).light};
         const light_choice choice = choose_light<double>(lights, seen, over_ground);
         CHECK(choice.kept == 2);
         REQUIRE(choice.p95.size() == 3);
@@ -64,7 +66,8 @@ TEST_CASE("choose_light: uniform where a strong warp leaves a wall with too few 
         const warp_fit<double> fit{.camera = reference_view::reference.seen,
                                    .direction = reference_view::sun(40, 180),
                                    .receivers = intersection(reference_view::reference.seen, scene),
-                                   .margin = 0};
+                                   .margin = 0,
+                                   .clip = cpu_clip_space};
         const std::array lights{fit_light_space_perspective<double>(fit, 0.3).light,
                                 fit_light_space_perspective<double>(fit, 1e9).light};
         CHECK(choose_light<double>(lights, seen, over_ground, 0).kept == (distance < 20 ? 1 : 0));
@@ -80,7 +83,7 @@ TEST_CASE("choose_light: another light has to be better by a tenth, so that nois
         const double side = 10 * (1 + 0.2 * std::sin(i * 0.01) + 0.05 * std::sin(i * 1.3));
         const auto light = [](double width) {
             return fit_directional_light<double>(
-                {.receivers = bounding_box<double>{glm::dvec3(-width), glm::dvec3(width)}});
+                {.receivers = bounding_box<double>{glm::dvec3(-width), glm::dvec3(width)}, .clip = cpu_clip_space});
         };
         const std::array lights{light(10), light(side)};
         const light_choice choice = choose_light<double>(lights, seen, over_ground, kept);
@@ -97,8 +100,9 @@ TEST_CASE("choose_light: another light has to be better by a tenth, so that nois
 }
 
 TEST_CASE("choose_light: points that a map does not hold, or that see it edge on, and none; bad input") {
-    const std::array lights{fit_directional_light<float>({}),
-                            fit_directional_light<float>({.receivers = bounding_box<float>{{-9, -9, -9}, {9, 9, 9}}})};
+    const std::array lights{fit_directional_light<float>({.receivers = bounding_box<float>{}, .clip = cpu_clip_space}),
+                            fit_directional_light<float>(
+                                {.receivers = bounding_box<float>{{-9, -9, -9}, {9, 9, 9}}, .clip = cpu_clip_space})};
     const std::vector<seen_point> inside(20, seen_point{{0, 0, -0.9}}), outside(20, seen_point{{0, 0, -5}}),
         edge_on(20, seen_point{{0, 0, -0.9}, {1, 0, 0}});
     const auto with = [&](const auto& seen) { return choose_light<float>(lights, seen, over_ground, 1); };

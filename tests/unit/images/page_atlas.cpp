@@ -68,7 +68,7 @@ struct paged_scene {
 }  // namespace
 
 TEST_CASE("write_page_table: the finest page of each cell, none before the first") {
-    const paged_scene scene({});
+    const paged_scene scene(umbrage::cpu_clip_space);
     int levels[5]{};
     for (glm::ivec2 cell(0); cell.y < 16; ++cell.y)
         for (cell.x = 0; cell.x < 16; ++cell.x) {
@@ -90,7 +90,7 @@ TEST_CASE("write_page_table: the finest page of each cell, none before the first
 }
 
 TEST_CASE("draw_pages: culled or not, the same bits; what page_light shows; other slots as they were") {
-    const paged_scene scene({}), whole({}, false);
+    const paged_scene scene(umbrage::cpu_clip_space), whole(umbrage::cpu_clip_space, false);
     for (int y = 0; y < scene.atlas.size().y; ++y)
         for (int x = 0; x < scene.atlas.size().x; ++x)
             if (scene.atlas[{x, y}] != whole.atlas[{x, y}]) FAIL_CHECK(x << ' ' << y);
@@ -99,7 +99,7 @@ TEST_CASE("draw_pages: culled or not, the same bits; what page_light shows; othe
         const auto light = umbrage::page_light(scene.root, p, scene.size);
         umbrage::image<float> map({24, 24}, 1.0f);
         umbrage::rasterize_depth(map, {scene.positions, scene.triangles}, scene.places,
-                                 glm::mat4(light.projection * light.view), {});
+                                 glm::mat4(light.projection * light.view), umbrage::cpu_clip_space);
         for (glm::ivec2 texel(0); texel.y < 24; ++texel.y)
             for (texel.x = 0; texel.x < 24; ++texel.x, ++drawn) {
                 if (map[texel] != scene.atlas[slot * 24 + texel]) FAIL_CHECK(texel.x << ' ' << texel.y);
@@ -114,7 +114,7 @@ TEST_CASE("draw_pages: culled or not, the same bits; what page_light shows; othe
 
 TEST_CASE("page_visibility: the filter over each receiver's page, for every form of receivers, split or not") {
     for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
-        const paged_scene scene({.direction = direction});
+        const paged_scene scene({.range = umbrage::depth_range::zero_to_one, .direction = direction});
         const auto receivers = scene.receivers();
         const umbrage::filters::pcf_2x2 filter{.is_lit = {direction}};
         const umbrage::depth32f encoding{.direction = direction};
@@ -147,7 +147,7 @@ TEST_CASE("page_visibility: the filter over each receiver's page, for every form
 }
 
 TEST_CASE("page_visibility: an atlas of codes; cells without a page are lit") {
-    const paged_scene scene({});
+    const paged_scene scene(umbrage::cpu_clip_space);
     const umbrage::rg<16> encoding{};
     umbrage::image<glm::u8vec2> codes(scene.atlas.size());
     umbrage::encode(scene.atlas, codes.view(), encoding);
@@ -167,7 +167,7 @@ TEST_CASE("page_visibility: an atlas of codes; cells without a page are lit") {
 }
 
 TEST_CASE("draw_pages, write_page_table, page_visibility: bad input") {
-    paged_scene scene({});
+    paged_scene scene(umbrage::cpu_clip_space);
     const auto receivers = scene.receivers();
     umbrage::image<float> out(receivers.size()), small({3, 3});
     const auto seen = [&](umbrage::page_map<float> map, umbrage::image<float>& into) {

@@ -56,7 +56,9 @@ TEST_CASE("pixels_per_texel: finite differences over the plane, directional and 
         const glm::dmat4 texels =
             i % 2 ? texture_matrix(make_spot_light<double>({.position = light, .direction = -light, .clip = clip}),
                                    map_size)
-                  : texture_matrix(fit_directional_light<double>({.direction = p - light, .clip = clip}), map_size);
+                  : texture_matrix(fit_directional_light<double>(
+                                       {.direction = p - light, .receivers = bounding_box<double>{}, .clip = clip}),
+                                   map_size);
         const glm::dmat4 pixels =
             texture_matrix(make_spot_light<double>({.position = eye, .direction = p - eye, .clip = clip}), screen);
         const glm::dmat2 found = pixels_per_texel(texels, pixels, p, normal);
@@ -72,7 +74,10 @@ TEST_CASE("pixels_per_texel: finite differences over the plane, directional and 
 }
 
 TEST_CASE("pixels_per_texel: a surface parallel to the light is not finite, and is counted") {
-    const glm::dmat4 texels = texture_matrix(fit_directional_light<double>({.direction = {0, -1, 0}}), map_size);
+    const glm::dmat4 texels =
+        texture_matrix(fit_directional_light<double>(
+                           {.direction = {0, -1, 0}, .receivers = bounding_box<double>{}, .clip = cpu_clip_space}),
+                       map_size);
     const auto report = measure_quality({.screen = {2, 2}, .map_size = map_size}, [&](glm::ivec2 pixel) {
         if (pixel == glm::ivec2(0)) return glm::dmat2(0);
         const glm::dvec3 normal = pixel.x ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
@@ -136,7 +141,8 @@ TEST_CASE("measure_quality: one map around what a camera sees of a long ground, 
                                                           .up = reference.seen.direction,
                                                           .receivers = intersection(reference.seen, reference_scene),
                                                           .casters = reference_scene,
-                                                          .margin = 0});
+                                                          .margin = 0,
+                                                          .clip = cpu_clip_space});
         const quality_report report = on_ground({texture_matrix(light, map_size)});
         CHECK(report.p95 == doctest::Approx(r.p95).epsilon(0.01));
         CHECK(report.greatest == doctest::Approx(r.greatest).epsilon(0.01));
@@ -159,8 +165,11 @@ TEST_CASE("measure_quality: four spheres and four tight cascades over the same g
                          row{15, 180, 22.8, 34.3, 7.49, 9.99}, row{15, 0, 22.8, 34.3, 7.20, 9.33}}) {
         CAPTURE(r.elevation);
         CAPTURE(r.azimuth);
-        cascade_fit<double> fit{
-            .camera = reference.seen, .direction = sun(r.elevation, r.azimuth), .scene = reference_scene, .margin = 0};
+        cascade_fit<double> fit{.camera = reference.seen,
+                                .direction = sun(r.elevation, r.azimuth),
+                                .scene = reference_scene,
+                                .margin = 0,
+                                .clip = cpu_clip_space};
         const auto over = [&](const auto& cascades) {
             std::vector<glm::dmat4> to_texels;
             for (const auto& c : cascades) to_texels.push_back(texture_matrix(c.light, {1024, 1024}));
@@ -199,10 +208,12 @@ TEST_CASE(
         for (int i = 0; i < r.parts; ++i) {
             frustum<double> part = whole;
             part.z_near = std::pow(ratio, i), part.z_far = part.z_near * ratio;
-            to_texels.push_back(
-                texture_matrix(fit_directional_light<double>(
-                                   {.direction = {0, -1, 0}, .up = {0, 0, -1}, .receivers = part, .margin = 0}),
-                               map_size));
+            to_texels.push_back(texture_matrix(fit_directional_light<double>({.direction = {0, -1, 0},
+                                                                              .up = {0, 0, -1},
+                                                                              .receivers = part,
+                                                                              .margin = 0,
+                                                                              .clip = cpu_clip_space}),
+                                               map_size));
         }
         const glm::dmat4 pixels = view(whole).to_pixels;
         const auto report =

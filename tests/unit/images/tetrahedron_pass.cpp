@@ -53,7 +53,7 @@ TEST_CASE(
 TEST_CASE("rasterize_tetrahedron: keeps what is nearer of an earlier pass; a map that is not square is refused") {
     const std::vector<glm::vec3> corners{{-9, -2, -9}, {9, -2, -9}, {0, -2, 9}};
     const std::vector<glm::uvec3> floor{{0, 1, 2}};
-    const auto faces = make_tetrahedron_light<float>({.map_size = 32});
+    const auto faces = make_tetrahedron_light<float>({.map_size = 32, .clip = cpu_clip_space});
     image<float> depth({32, 32}, 0.25f);
     rasterize_tetrahedron(depth.view(), {corners, floor}, faces);
     for (const float d : depth.texels()) CHECK(d == 0.25f);

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include <umbrage/depth/float_bits.hpp>
@@ -215,6 +217,32 @@ TEST_CASE("visibility: empty receivers, sizes that differ, an empty map") {
     for (float v : out.texels()) CHECK(v == -1.0f);  // whoever threw wrote nothing
 }
 
+TEST_CASE("visibility: a filter and an encoding of different directions of depth are refused") {
+    const image<glm::vec3> receivers({2, 1}, {0.5f, 0.5f, 0.5f});
+    image<float> out({2, 1}, -1.0f);
+    const auto of = [&](const auto& encoding, const auto& filter) {
+        const image<typename std::decay_t<decltype(encoding)>::texel> map({1, 1}, encoding.cleared());
+        try {
+            visibility(map, encoding, receivers, filter, out);
+        } catch (const std::invalid_argument& error) { return std::string(error.what()); }
+        return std::string();
+    };
+    constexpr auto forward = depth_direction::forward, reversed = depth_direction::reversed;
+    CHECK(of(rg<11>{.direction = reversed}, filters::pcf_2x2{}) ==
+          "umbrage::visibility: filter must compare reversed depth, as encoding holds it; got forward. Give both the "
+          "map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}");
+    CHECK(of(rgb24{}, filters::box{.is_lit = {reversed}}).find("filter must compare forward depth") !=
+          std::string::npos);
+    CHECK(of(depth32f{reversed}, filters::rotated_disc{}) != "");
+    CHECK(out[{0, 0}] == -1.0f);
+    for (const auto direction : {forward, reversed}) {
+        CHECK(of(rg<11>{.direction = direction}, filters::pcf_2x2{{direction}}) == "");
+        CHECK(out[{1, 0}] == 1.0f);
+    }
+    const auto own = [](const auto& fetch, glm::vec2, float) { return fetch(glm::ivec2(0)); };  // knows no direction
+    CHECK(of(depth32f{reversed}, own) == "");
+}
+
 TEST_CASE("receiver_matrix: from a camera's texel and depth to where the world point falls on the map") {
     const glm::mat4 to_texels{{300, 0, 0, 0}, {0, 200, 0, 0.5f}, {0, 0, 0.25f, 0}, {10, 20, 0.5f, 2}};
     glm::mat4 world_to_clip(0.0f);
@@ -234,9 +262,9 @@ TEST_CASE("receiver_matrix: from a camera's texel and depth to where the world p
             const glm::vec3 there = project_coordinate(shadow_coordinate(m, texel));
             CHECK(glm::length(there - project_coordinate(shadow_coordinate(to_texels, world))) < 1e-3f);
         }
-    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {0, 1}, {}), std::invalid_argument);
-    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {1, -1}, {}), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {0, 1}, cpu_clip_space), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {1, -1}, cpu_clip_space), std::invalid_argument);
     const glm::mat4 flat(glm::inverse(glm::mat4(0.0f)));  // no camera
-    CHECK_THROWS_AS((void)receiver_matrix(flat, to_texels, size, {}), std::invalid_argument);
-    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(3e38f), to_texels, size, {}), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(flat, to_texels, size, cpu_clip_space), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(3e38f), to_texels, size, cpu_clip_space), std::invalid_argument);
 }

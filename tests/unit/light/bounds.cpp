@@ -13,6 +13,12 @@
 
 using namespace umbrage;
 
+template <class Body>
+concept gives_faces = requires(Body body) {
+    static_cast<Body>(body).faces();
+};
+static_assert(gives_faces<const polyhedron&> && !gives_faces<polyhedron&&> && !gives_faces<const polyhedron&&>);
+
 TEST_CASE("corners: of a box and of a frustum, by hand") {
     const auto box = corners(bounding_box<float>{{1, 2, 3}, {4, 5, 6}});
     CHECK(box[0] == glm::dvec3(1, 2, 3));

@@ -47,7 +47,7 @@ TEST_CASE("cube_faces: what light_space's cameras make of them is the same") {
     for (std::size_t face = 0; face < 6; ++face) {
         const auto view = look_along(glm::dvec3(0), glm::dvec3(cube_faces[face].forward),
                                      glm::dvec3(cube_faces[face].up), handedness::right);
-        const auto projection = perspective(1.0, 1.0, 0.1, 10.0, clip_space{});
+        const auto projection = perspective(1.0, 1.0, 0.1, 10.0, cpu_clip_space);
         for (int i = 0; i < 1000; ++i) {
             const glm::dvec3 direction = random_direction(random);
             const glm::dvec3 at = cube_coordinate(direction);

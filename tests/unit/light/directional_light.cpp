@@ -79,7 +79,7 @@ TEST_CASE("make_directional_light: straight down and up, float near double") {
 
 TEST_CASE_TEMPLATE("make_directional_light: bad input", T, float, double) {
     const auto with = [](auto change) {
-        directional_light<T> light;
+        directional_light<T> light{.clip = cpu_clip_space};
         change(light);
         (void)make_directional_light(light);
     };

@@ -97,7 +97,7 @@ TEST_CASE(
             }
             CHECK(apart < 1e-9);
         }
-    const auto light = make_dual_paraboloid_light<double>({.map_size = 64, .border = 4});
+    const auto light = make_dual_paraboloid_light<double>({.map_size = 64, .border = 4, .clip = cpu_clip_space});
     const glm::dvec4 corner = light.projection * dual_paraboloid_position(glm::dvec3(-9, 0, -1.2), 0.0);
     CHECK(corner.x / corner.w < 1);  // 7.6 degrees behind the rim, 8/7 of the circle's radius
     CHECK(corner.x / corner.w > 0.98);
@@ -124,7 +124,7 @@ TEST_CASE("paraboloid_edge_angle: edges at the rim are half a texel off, untesse
 TEST_CASE("make_dual_paraboloid_light: what is wrong is named") {
     using light = dual_paraboloid_light<float>;
     const auto of = [](auto change) {
-        light l;
+        light l{.clip = cpu_clip_space};
         change(l);
         const std::string message = complaint([&] { (void)make_dual_paraboloid_light(l); });
         const auto begin = message.find(": ");

@@ -31,7 +31,8 @@ TEST_CASE("pancaked: triangles before the near plane or behind it draw what a ne
     for (clip_space clip : all_clip_spaces()) {
         CAPTURE(to_string(clip));
         const glm::vec3 direction(glm::normalize(bodies::random_vector(random, -1, 1)));
-        const auto light = fit_directional_light<float>({.direction = direction, .clip = clip});  // of a box around 0
+        const auto light = fit_directional_light<float>(
+            {.direction = direction, .receivers = bounding_box<float>{}, .clip = clip});  // of a box around 0
         std::vector<glm::vec3> positions, pressed;
         std::vector<glm::uvec3> triangles;
         for (unsigned i = 0; i < 60; i += 3) {

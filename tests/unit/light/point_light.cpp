@@ -59,7 +59,8 @@ struct two_faces {
 
     two_faces(float reach, const std::vector<glm::vec3>& quad, glm::ivec2 faces)
         : border(static_cast<int>(std::ceil(reach + 1.0f))),
-          lights(make_point_light<double>({.z_near = 0.5, .z_far = 200, .map_size = size, .border = border})) {
+          lights(make_point_light<double>(
+              {.z_near = 0.5, .z_far = 200, .map_size = size, .border = border, .clip = cpu_clip_space})) {
         const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}};
         for (const int face : {faces.x, faces.y}) {
             const auto& light = lights[std::size_t(face)];
@@ -146,7 +147,7 @@ TEST_CASE(
 
 TEST_CASE("make_point_light: what is wrong is named") {
     const auto of = [](auto change) {
-        point_light<float> light;
+        point_light<float> light{.clip = cpu_clip_space};
         change(light);
         const std::string message = complaint([&] { (void)make_point_light(light); });
         const auto begin = message.find(": ");

@@ -28,10 +28,10 @@ struct view {
     glm::dmat4 to_pixels;
 
     explicit view(const frustum<double>& f) : seen(f) {
-        to_pixels = texture_matrix<double>({look_along(f.position, f.direction, f.up, handedness::right),
-                                            perspective(f.tan_half_x, f.tan_half_y, f.z_near, f.z_far, {}),
-                                            {}},
-                                           screen);
+        to_pixels = texture_matrix<double>(
+            {look_along(f.position, f.direction, f.up, handedness::right),
+             perspective(f.tan_half_x, f.tan_half_y, f.z_near, f.z_far, cpu_clip_space), cpu_clip_space},
+            screen);
     }
 };
 
@@ -60,7 +60,8 @@ inline warp_fit<double> warp_under(std::array<double, 2> s) {
             .direction = sun(s[0], s[1]),
             .receivers = intersection(reference.seen, reference_scene),
             .casters = reference_scene,
-            .margin = 0};
+            .margin = 0,
+            .clip = cpu_clip_space};
 }
 
 /// What a camera sees of the ground, up to its far plane, through a pixel.

@@ -41,7 +41,7 @@ struct arguments {
     bounding_box<T> scene{vec(-10, -3, -10), vec(10, 8, 10)};
     vec eye{T(-2), T(1), T(6)}, ahead{T(0.1), T(-0.2), T(-1)};
     T tangent = T(0.8);
-    clip_space clip{};
+    clip_space clip = cpu_clip_space;
 
     [[nodiscard]] frustum<T> camera() const { return {eye, ahead, up, tangent, T(0.5), z_near, z_far}; }
 };
@@ -65,7 +65,7 @@ std::vector<light_space<T>> vector_of(const std::array<light_space<T>, N>& faces
     return {faces.begin(), faces.end()};
 }
 
-/// Every set-up function, by its name.
+/// Every set-up function, by its name. Without a light where it gives none.
 template <class T>
 const std::map<std::string, std::function<std::vector<light_space<T>>(const arguments<T>&)>> functions{
     {"make_directional_light",
@@ -103,14 +103,15 @@ const std::map<std::string, std::function<std::vector<light_space<T>>(const argu
      }},
     {"fit_spot_light",
      [](const arguments<T>& a) -> std::vector<light_space<T>> {
-         return {fit_spot_light<T>({.position = a.position,
-                                    .direction = a.direction,
-                                    .up = a.up,
-                                    .outer_angle_radians = a.angle,
-                                    .z_near = a.z_near,
-                                    .receivers = a.scene,
-                                    .casters = a.scene,
-                                    .clip = a.clip})};
+         const auto light = fit_spot_light<T>({.position = a.position,
+                                               .direction = a.direction,
+                                               .up = a.up,
+                                               .outer_angle_radians = a.angle,
+                                               .z_near = a.z_near,
+                                               .receivers = a.scene,
+                                               .casters = a.scene,
+                                               .clip = a.clip});
+         return light ? std::vector{*light} : std::vector<light_space<T>>{};
      }},
     {"make_stable_cascades",
      [](const arguments<T>& a) {
@@ -137,7 +138,7 @@ const std::map<std::string, std::function<std::vector<light_space<T>>(const argu
     {"fit_plane_optimal",
      [](const arguments<T>& a) -> std::vector<light_space<T>> {
          const glm::vec<4, T> across(a.ahead, -glm::dot(a.ahead, a.eye + T(5) * a.ahead));
-         return {fit_plane_optimal(warp_of(a), across).light};
+         return {fit_plane_optimal(warp_of(a), across).value().light};
      }},
     {"make_warped_cascades", [](const arguments<T>& a) {
          return spaces(make_warped_cascades<2>(

@@ -65,16 +65,63 @@ TEST_CASE("convex_hull, sides: every point within, every corner one of them") {
         for (const auto& corner : hull)
             CHECK(std::any_of(points.begin(), points.end(), [&](const auto& p) { return glm::dvec2(p) == corner; }));
         for (double outwards : {0.0, 0.5}) {
+            const auto planes = outwards > 0 ? detail::sweep(points, outwards) : detail::sides(hull);
             double least = 1e9;
-            for (const auto& plane : detail::sides(hull, outwards)) {
+            for (const auto& plane : planes) {
                 double within = 1e9;
                 for (const auto& p : points) within = std::min(within, glm::dot(plane, glm::dvec4(p.x, p.y, p.z, 1)));
-                CHECK(within > outwards * glm::length(glm::dvec2(plane)) - 1e-12);
+                const double share = std::abs(plane.x) + std::abs(plane.y);  // of a square's corner
+                CHECK(within > outwards * share - 1e-12);
                 least = std::min(least, within / glm::length(glm::dvec2(plane)));
             }
             CHECK(least == doctest::Approx(outwards));
         }
     }
+}
+
+TEST_CASE("sweep: does not jump where a corner splits in two, holds what touches its sides") {
+    const glm::dmat4 frame(1.0);
+    const bounding_box<double> caster{{-0.9, -0.9, -3}, {-0.9, -0.9, -2}};
+    const std::vector<glm::dvec3> whole{{0, 0, 0}, {10, 9, 0}, {9, 10, 0}};
+    const std::vector<glm::dvec3> split{{1e-6, 0, 0}, {0, 1e-6, 0}, {10, 9, 0}, {9, 10, 0}};
+    CHECK(detail::nearest(frame, caster, detail::sweep(whole, 1.0)) == -3);
+    CHECK(detail::nearest(frame, caster, detail::sweep(split, 1.0)) == -3);
+    std::mt19937 random(4);
+    int lost = 0;
+    for (int i = 0; i < 1000; ++i) {
+        std::vector<glm::dvec3> points;
+        for (int k = 0; k < 5; ++k) points.push_back(bodies::random_vector(random, -5, 5));
+        for (const auto& plane : detail::sweep(points, 0.0))
+            for (const auto& p : points) lost += glm::dot(plane, glm::dvec4(p, 1)) < 0;
+    }
+    CHECK(lost == 0);
+}
+
+TEST_CASE("convex_hull: holds corners that are repeated up to rounding") {
+    const auto outside = [](const std::vector<glm::dvec3>& points) {
+        double farthest = 0;
+        for (const auto& side : detail::sides(detail::convex_hull(points)))
+            for (const auto& p : points)
+                farthest = std::max(farthest, -glm::dot(side, glm::dvec4(p, 1)) / glm::length(glm::dvec2(side)));
+        return farthest;
+    };
+    CHECK(outside({{1.0791274728253482, -0.83726838789880298, 0},
+                   {1.0791274728253477, -0.83726838789880309, 0},
+                   {1.6440862612798803, -0.62520269211381663, 0},
+                   {-1.1595047703012828, -1.839826149865984, 0}}) < 1e-12);
+    std::mt19937 random(3);
+    bodies::real near_zero(-1e-15, 1e-15), anywhere(-2, 2);
+    double farthest = 0;
+    for (int i = 0; i < 200000; ++i) {
+        std::vector<glm::dvec3> points;
+        for (int corner = 0; corner < 3 + i % 6; ++corner) {
+            const glm::dvec2 p(anywhere(random), anywhere(random));
+            for (int copy = 0; copy < 3; ++copy)
+                points.emplace_back(p.x + near_zero(random), p.y + near_zero(random), 0.0);
+        }
+        farthest = std::max(farthest, outside(points));
+    }
+    CHECK(farthest < 1e-12);
 }
 
 TEST_CASE("nearest: of a box before, beside and around a square") {

@@ -50,7 +50,8 @@ TEST_CASE("make_tetrahedron_light: any triangles, of which a border is taken off
                                                          {{{64, 64}, {64, 10}, {10, 64}}}}};
     std::mt19937 random(2);
     for (const int border : {0, 2}) {
-        const auto faces = make_tetrahedron_light<double>({.map_size = 64, .border = border}, tiles);
+        const auto faces =
+            make_tetrahedron_light<double>({.map_size = 64, .border = border, .clip = cpu_clip_space}, tiles);
         int outside = 0;
         double apart = 0;
         for (int i = 0; i < 4000; ++i) {
@@ -81,7 +82,7 @@ TEST_CASE("make_tetrahedron_light: any triangles, of which a border is taken off
 TEST_CASE("make_tetrahedron_light: what is wrong is named") {
     using light = tetrahedron_light<float>;
     const auto of = [](auto change) {
-        light l;
+        light l{.clip = cpu_clip_space};
         change(l);
         const std::string message = complaint([&] { (void)make_tetrahedron_light(l); });
         const auto begin = message.find(": ");

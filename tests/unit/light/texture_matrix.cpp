@@ -25,7 +25,7 @@ namespace {
 double ulp(double v) { return std::ldexp(1.0, std::ilogb(v) - 23); }
 
 /// Spot and directional lights around the origin by turns, random but for the convention.
-light_space<float> random_light(std::mt19937& random, int i, clip_space clip = {}) {
+light_space<float> random_light(std::mt19937& random, int i, clip_space clip = cpu_clip_space) {
     std::uniform_real_distribution<float> coordinate(-10, 10), angle(0.1f, 1.3f);
     const glm::vec3 position(coordinate(random), coordinate(random), coordinate(random));
     const glm::vec3 direction = glm::vec3(coordinate(random), coordinate(random), coordinate(random)) * 0.3f - position;
@@ -69,20 +69,21 @@ TEST_CASE("texture_matrix_uv: texture_matrix over the map's size") {
 }
 
 TEST_CASE_TEMPLATE("texture_matrix: bad input", T, float, double) {
-    const auto light = make_spot_light<T>({});
+    const auto light = make_spot_light<T>({.clip = cpu_clip_space});
     for (glm::ivec2 size : {glm::ivec2(0, 1), glm::ivec2(1, 0), glm::ivec2(0, 0), glm::ivec2(-1, 5), glm::ivec2(5, -1)})
         CHECK_THROWS_AS((void)texture_matrix(light, size), std::invalid_argument);
     CHECK_NOTHROW((void)texture_matrix(light, {1, 1}));
 }
 
 TEST_CASE("texture_matrix, tap_matrices: finite, or an error that names the arguments") {
-    const auto light = make_spot_light<float>({.position = {1e37f, 0, 0}});  // a matrix for NDC, none for 1024 texels
+    const auto light = make_spot_light<float>(
+        {.position = {1e37f, 0, 0}, .clip = cpu_clip_space});  // a matrix for NDC, none for 1024 texels
     CHECK(complaint([&] { (void)texture_matrix(light, {1, 1}); }).empty());
     CHECK(complaint([&] {
               (void)texture_matrix(light, {1024, 1024});
           }).starts_with("umbrage::texture_matrix: light and map_size "));
     CHECK(complaint([&] { (void)texture_matrix(light, {0, 1024}); }).starts_with("umbrage::texture_matrix: map_size "));
-    light_space<float> broken;
+    light_space<float> broken{.clip = cpu_clip_space};
     broken.view[3][0] = std::numeric_limits<float>::quiet_NaN();
     CHECK(complaint([&] { (void)texture_matrix_uv(broken); }).starts_with("umbrage::texture_matrix: light "));
 

@@ -145,6 +145,7 @@ struct dpcf {
         if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, turn, is_lit);
         return umbrage::dpcf<32>(fetch, coord, receiver, soft, turn, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 inline constexpr std::array<dpcf, 3> dpcf::values{{{8, {}, {}, "dpcf8", &glsl::dpcf<8>},

@@ -111,6 +111,7 @@ struct pcss {
         if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, turn, is_lit);
         return umbrage::pcss<32>(fetch, coord, receiver, soft, turn, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 inline constexpr std::array<pcss, 3> pcss::values{{{8, {}, {}, "pcss8", &glsl::pcss<8>},

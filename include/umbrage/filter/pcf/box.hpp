@@ -150,6 +150,7 @@ struct box {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::box(fetch, coord, receiver, radius, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 /// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
@@ -166,6 +167,7 @@ struct hierarchical_box {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::box(fetch, coord, receiver, radius, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 }  // namespace filters

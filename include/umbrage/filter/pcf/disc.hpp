@@ -266,6 +266,7 @@ struct rotated_disc {
         if (points == 16) return umbrage::disc<16>(fetch, coord, receiver, radius_texels, turn, is_lit);
         return umbrage::disc<32>(fetch, coord, receiver, radius_texels, turn, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 /// The same result; for images of receivers it first asks, for all texels within reach, whether they are all lit or all

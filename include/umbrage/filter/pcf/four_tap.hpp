@@ -87,6 +87,7 @@ struct four_tap {
         return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
                                  receiver, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 }  // namespace filters

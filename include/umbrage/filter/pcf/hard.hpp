@@ -63,6 +63,7 @@ struct hard {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::hard(fetch, coord, receiver, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 }  // namespace filters

@@ -134,6 +134,7 @@ struct pcf_2x2 {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::pcf_2x2(fetch, coord, receiver, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 /// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
@@ -149,6 +150,7 @@ struct pcf_2x2_dx_sdk {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 }  // namespace filters

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/pcf/window.hpp>
 
 namespace umbrage {
@@ -221,6 +222,7 @@ struct window {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::window(fetch, coord, receiver, row, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 /// The same result; for images of receivers it first asks, for all texels of the window, whether they are all lit or

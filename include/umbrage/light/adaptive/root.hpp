@@ -3,7 +3,8 @@
 // The square of the world that the pages of an adaptive map lie in, as a directional light sees it: it stays where it
 // is while the camera moves, and so does every page in it.
 //
-//     auto root = umbrage::make_page_root<double>({.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box});
+//     auto root = umbrage::make_page_root<double>(
+//         {.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box, .clip = clip});
 //     auto light = umbrage::page_light(root, {.level = 5, .x = 12, .y = 9}, {});  // for the depth pass of that page
 //     glm::mat4 to_root(umbrage::page_matrix(root));                              // for page_coordinate
 //
@@ -23,12 +24,12 @@ namespace umbrage {
 
 template <real T = float>
 struct page_root {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as pages turn with it
-    glm::vec<3, T> centre{T(0)};                  ///< of the square, world
-    T side = T(1000);                             ///< world units, > 0
-    bounding_box<T> scene{};                      ///< all casters and receivers: what depth spans
-    clip_space clip{};
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as pages turn with it
+    glm::vec<3, T> centre{T(0)};                   ///< of the square, world
+    T side = T(1000);                              ///< world units, > 0
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers, what depth spans
+    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// Side of pages in an atlas.
@@ -44,6 +45,8 @@ struct page_size {
 template <real T = float>
 [[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
     constexpr auto function = "make_page_root";
+    detail::require_given(root.clip, function);
+    detail::require_given(root.scene, function, "scene");
     detail::require(detail::all_finite(root.centre), function, "centre", "must be finite");
     detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
     light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),

@@ -3,7 +3,7 @@
 // Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
 //
 //     const umbrage::cascade_fit<float> fit{
-//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f};
+//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f, .clip = clip};
 //     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
 //     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
@@ -37,14 +37,14 @@ struct cascade {
 
 template <real T = float>
 struct cascade_fit {
-    frustum<T> camera{};                          ///< but for its planes, in place of which there are splits
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as maps turn with it
-    bounding_box<T> scene{};                      ///< all casters and receivers
-    int map_size = 1024;                          ///< of each cascade, texels
-    T margin = T(2);                              ///< texels around: the filter's reach
-    T overlap = T(0);                             ///< share of a cascade that the next one holds too, 0 .. 1
-    clip_space clip{};
+    frustum<T> camera{};                           ///< but for its planes, in place of which there are splits
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
+    int map_size = 1024;                           ///< of each cascade, texels
+    T margin = T(2);                               ///< texels around: the filter's reach
+    T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
+    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
 };
 
 namespace detail {
@@ -59,7 +59,7 @@ template <real T>
                        glm::vec<4, T>(offset)};
     const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
     require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
-            "give too large or too small a cascade");
+            "must not give too large or too small a cascade");
     return c;
 }
 
@@ -68,6 +68,8 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
                                                               const std::array<T, Count + 1>& splits,
                                                               const char* function) {
+    require_given(fit.clip, function);
+    require_given(fit.scene, function, "scene");
     require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
     for (std::size_t i = 0; i < Count; ++i)
         require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
@@ -95,6 +97,18 @@ template <class = on_use>
     return seen.empty() ? hull(part) : hull(seen);
 }
 
+/// A directional light with depths of a whole scene, and a little beyond it.
+template <real T>
+[[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
+                                                 const char* function) {
+    const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
+    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes have some depth too
+    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
+                                           function, "", "low and high of scene");
+    light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
+    return light;
+}
+
 /// A margin in texels as a share of what a map holds within it.
 template <real T>
 [[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
@@ -119,7 +133,8 @@ template <std::size_t Count, real T, class Light>
 }  // namespace detail
 
 /// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
-/// camera's frustum, which does not change as the camera turns, and moves by whole texels.
+/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
+/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each.
 ///
 /// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
 /// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
@@ -134,16 +149,17 @@ template <std::size_t Count, real T, class Light>
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
                                                                  const std::array<T, Count + 1>& splits) {
-    auto all = detail::make_cascades<Count>(fit, splits, "make_stable_cascades", [&](const frustum<double>& part) {
+    constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
+    auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
         const double around = double(fit.margin);
-        return fit_directional_light<double>(
-            {.direction = glm::dvec3(fit.direction),
-             .up = glm::dvec3(fit.up),
-             .receivers = sphere_around(part),
-             .casters = bounding_box<double>{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)},
-             .margin = around / (fit.map_size - 1 - 2 * around),
-             .snap_texels = fit.map_size,
-             .clip = fit.clip});
+        const auto light = detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                            .up = glm::dvec3(fit.up),
+                                                            .receivers = sphere_around(part),
+                                                            .margin = around / (fit.map_size - 1 - 2 * around),
+                                                            .snap_texels = fit.map_size,
+                                                            .clip = fit.clip},
+                                                           function, sides, depths);
+        return detail::with_depths_of(light, fit.scene, function);
     });
     for (cascade<T>& c : all)
         for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
@@ -156,14 +172,16 @@ template <std::size_t Count, real T>
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
                                                                 const std::array<T, Count + 1>& splits) {
-    return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
-        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
-        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
-                                              .up = glm::dvec3(fit.up),
-                                              .receivers = detail::receivers_of(part, scene),
-                                              .casters = scene,
-                                              .margin = detail::margin_share(fit),
-                                              .clip = fit.clip});
+    constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
+    return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
+        const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+        return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                .up = glm::dvec3(fit.up),
+                                                .receivers = detail::receivers_of(part, scene),
+                                                .casters = scene,
+                                                .margin = detail::margin_share(fit),
+                                                .clip = fit.clip},
+                                               function, sides, depths);
     });
 }
 

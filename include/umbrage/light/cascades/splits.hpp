@@ -43,7 +43,7 @@ template <std::size_t Count, real T>
     }
     splits[Count] = z_far;
     for (std::size_t i = 0; i < Count; ++i)
-        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "are too close together");
+        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "must be farther apart");
     return splits;
 }
 

@@ -38,22 +38,35 @@ struct lamp_view {
 
 template <real T>
 [[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
-    require(is_normal(from.z_near) && from.z_near > T(0), function, "z_near",
+    require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near",
             "must be above 0, finite and no denormal");
     const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
     lamp_view v;
-    v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "position"), fit.clip.hand);
-    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(fit.receivers));
+    v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "from.position"), fit.clip.hand);
+    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(*fit.receivers));
     const auto [low, high] = extent_of(receivers);
     v.least = low.z, v.farthest = high.z;
     require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
-            "must lie before the light, beyond z_near");
+            "must lie before the light, beyond from.z_near");
     if (!fit.casters) return v;
     double edge = 1.0;
     for (const glm::dvec3& p : receivers) edge = greater(edge, greater(glm::abs(p.x), glm::abs(p.y)) / p.z);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
     v.casters = intersection(all, *fit.casters);
     return v;
+}
+
+/// Where there are no receivers, what is right before the light is as good.
+template <real T>
+[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const lamp<T>& from, const char* function) {
+    if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
+    const double closest(from.z_near);
+    return completed(fit,
+                     frustum<double>{.position = glm::dvec3(from.position),
+                                     .direction = glm::dvec3(fit.direction),
+                                     .z_near = 2.0 * closest,
+                                     .z_far = 4.0 * closest},
+                     function);
 }
 
 /// What the lamp sees along its axis: x, y, depth and w, of no warp.
@@ -68,7 +81,7 @@ template <class = on_use>
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
     const auto light = refit(map_along(v), fit, v.casters, function);
-    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a map");
+    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a map");
     return *light;
 }
 

@@ -4,7 +4,8 @@
 // way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     auto warped = umbrage::fit_light_space_perspective(fit);
 //     auto milder = umbrage::fit_light_space_perspective(fit, umbrage::optimal_distance(fit));
 //
@@ -12,6 +13,7 @@
 
 #include <cmath>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -42,12 +44,11 @@ struct along_view {
 
 template <real T>
 [[nodiscard]] along_view make_along_view(const warp_fit<T>& fit, const char* function) {
-    require_warp_fit(fit, function);
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
     const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera)[2];
     v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
-    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
+    const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
     const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
     v.first = {own.x, low.y, glm::clamp(own.z, low.z, high.z)};
@@ -62,10 +63,14 @@ template <real T>
 /// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
 [[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
 
-/// @return   highest<double> where camera and light look one way
+/// The strongest warp there is: float holds no more.
+[[nodiscard]] inline double least_distance(const along_view& v) { return v.length * 0x1p-14; }
+
+/// @return   infinite where camera and light look one way, and for receivers of no extent at the camera
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    return v.sine > 0.0 ? n : highest<double>;
+    const double least = glm::max(n, least_distance(v));
+    return v.sine > 0.0 && least > 0.0 ? least : std::numeric_limits<double>::infinity();
 }
 
 /// Near the best on a ground.
@@ -76,8 +81,7 @@ template <real T>
 /// @formula   (x, y, z) / (1 + y / n) about `first`
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
-    const double nearest = v.length * 0x1p-14;  // float holds no more
-    const double bend = share_of_warp(v.sine) / greater(n, nearest);
+    const double bend = share_of_warp(v.sine) / glm::max(n, least_distance(v));
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
@@ -96,19 +100,20 @@ template <real T>
 
 /// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
 /// camera's frustum is least: the mildest warp that is of use.
-/// @return      world units along the camera's view, across the light; the highest number where camera and
-///              light look one way
+/// @return      world units along the camera's view, across the light, > 0; infinite where both look one way
 /// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
 ///              view, d their extent along it across the light, t the angle between view and light
 /// @throws std::invalid_argument  as fit_light_space_perspective does
 /// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
-    const double distance = detail::optimal_distance(detail::make_along_view(fit, "optimal_distance"));
-    return T(detail::lesser(distance, double(detail::highest<T>)));
+    constexpr auto function = "optimal_distance";
+    return T(detail::optimal_distance(detail::make_along_view(detail::completed(fit, function), function)));
 }
 
 /// The map of a directional light, warped along the camera's view.
+///
+/// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
 /// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
 ///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
@@ -118,18 +123,20 @@ template <real T = float>
 ///                   where nothing is for long: see seen_range
 /// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                   from there to 0.2 the warp grows, without a jump
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
-///                                casters that are no box, a negative margin, distance not above 0, and what gives
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
+///                                casters that are no box, a margin out of range, distance not above 0, and what gives
 ///                                matrices that are not finite
 /// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' least y, y along the
 ///                   view; then around the receivers
 /// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
-[[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit, std::optional<T> distance = {}) {
+[[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit,
+                                                          std::optional<std::type_identity_t<T>> distance = {}) {
     constexpr auto function = "fit_light_space_perspective";
-    const detail::along_view v = detail::make_along_view(fit, function);
+    const warp_fit<T> whole = detail::completed(fit, function);
+    const detail::along_view v = detail::make_along_view(whole, function);
     detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
-    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), fit, function);
+    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), whole, function);
 }
 
 }  // namespace umbrage

@@ -4,11 +4,15 @@
 // for a ground, and for nothing else.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     auto ground = umbrage::fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));  // y = 0
+//     if (ground) draw_depths(ground->light);                               // else the plane is not seen, or not lit
 //
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -28,10 +32,11 @@
 
 namespace umbrage {
 
-/// What matrices in float leave of the plane's own depth, which is the same all over the map, under lights of 3 degrees
-/// and more above it: acne_free_bias, that sees no slope, is to be given this much more.
+/// How far the plane's own depth, which is one all over the map, spreads under a matrix that was made in double and
+/// rounded once to float: give acne_free_bias, which sees no slope, this much more. Holds for lights of 3 degrees and
+/// more above the plane and cameras within 30 units of the world's origin; farther out it grows with that distance.
 template <real T>
-inline constexpr T plane_optimal_rounding = T(0x1p-20);
+inline constexpr T plane_optimal_rounding = T(0x1p-18);
 
 namespace detail {
 
@@ -51,17 +56,16 @@ template <class = on_use>
 /// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
 /// @param casters   that lie before w = 0
 template <real T>
-[[nodiscard]] warped_light<T> plane_optimal_of(const glm::dvec4& light, const warp_fit<T>& fit,
-                                               const polyhedron& casters, const glm::vec<4, T>& plane,
-                                               const char* function) {
+[[nodiscard]] std::optional<warped_light<T>> plane_optimal_of(const glm::dvec4& light, const warp_fit<T>& fit,
+                                                              const polyhedron& casters, const glm::vec<4, T>& plane,
+                                                              const char* function) {
     glm::dvec4 ground(plane);
     require(all_finite(plane) && is_normal(glm::length(glm::dvec3(ground))), function, "plane",
             "must be finite and have a normal");
     ground /= glm::length(glm::dvec3(ground)) * (glm::dot(ground, light) < 0.0 ? -1.0 : 1.0);
     const double height = glm::dot(ground, light);
-    require(height > 1e-6 * glm::length(light), function, "plane", "must not be seen edge on by the light");
     const std::vector<glm::dvec3> seen = crossings(fit.camera, ground);
-    require(!seen.empty(), function, "plane", "must lie before the camera");
+    if (!(height > 1e-6 * glm::length(light)) || seen.empty()) return {};
 
     // along the light onto the plane, and from there onto the screen; heights over the plane are depth
     const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
@@ -82,8 +86,7 @@ template <real T>
         least = lesser(least, w), greatest = greater(greatest, w);
     }
     const double eye = glm::dot(ground, glm::dvec4(glm::dvec3(fit.camera.position), 1.0));
-    require(least > 0.0 && glm::abs(eye) > 1e-6 * greatest, function, "plane",
-            "must not be seen edge on by the camera");
+    if (!(least > 0.0 && glm::abs(eye) > 1e-6 * greatest)) return {};
     const double edge = 1.0 + 2.0 * double(fit.margin);
     // w is a plane's point's, by a share that a point light takes away on the way towards it
     const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
@@ -98,8 +101,8 @@ template <real T>
     const double deep = greater(double(fit.margin), 0x1p-8) * greater(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
-    require(warped.has_value(), function, "plane and camera", "give too large or too small a map");
-    return *warped;
+    require(warped.has_value(), function, "plane and camera", "must not give too large or too small a map");
+    return warped;
 }
 
 }  // namespace detail
@@ -112,19 +115,19 @@ template <real T>
 ///
 /// @param fit     but for its receivers, for which the plane stands
 /// @param plane   dot(plane, (p, 1)) = 0, a normal of any length > 0; the light may come from either side
-/// @return        of no use for what the light hardly touches: depth grows along the light by its height over the
-///                plane, over w
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, that the
-///                                camera does not see, or that holds the light's direction (1e-6), casters that are no
-///                                box, a negative margin, and what gives matrices that are not finite
+/// @return        nothing where the camera does not see the plane, lies in it, or the light does (1e-6); of no use for
+///                what the light hardly touches: depth grows along the light by its height over the plane, over w
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, casters
+///                                that are no box, a margin out of range, and what gives matrices that are not finite
 /// @formula       x, y and w of the camera after (N.L) I - L N^T, depth - N.p
 template <real T = float>
-[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {
+[[nodiscard]] std::optional<warped_light<T>> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {
     constexpr auto function = "fit_plane_optimal";
-    detail::require_warp_fit(fit, function);
+    const warp_fit<T> whole = detail::completed(fit, function);
     const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
     const glm::dvec4 light(-view[0][2], -view[1][2], -view[2][2], 0.0);
-    return detail::plane_optimal_of(light, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane, function);
+    return detail::plane_optimal_of(light, whole, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane,
+                                    function);
 }
 
 /// The same of a point light.
@@ -132,12 +135,12 @@ template <real T = float>
 /// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
 ///                                what fit_plane_optimal complains of
 template <real T>
-[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
-                                                const lamp<T>& from) {
+[[nodiscard]] std::optional<warped_light<T>> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
+                                                               const lamp<T>& from) {
     constexpr auto function = "fit_plane_optimal";
-    detail::require_warp_fit(fit, function);
-    const detail::lamp_view own = detail::view_of(from, fit, function);
-    return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, plane, function);
+    const warp_fit<T> whole = detail::completed(fit, from, function);
+    const detail::lamp_view own = detail::view_of(from, whole, function);
+    return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), whole, own.casters, plane, function);
 }
 
 }  // namespace umbrage

@@ -4,12 +4,16 @@
 // lays any projective map of the world around the receivers.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     umbrage::warped_light<float> warped = umbrage::fit_light_space_perspective(fit);
 //     draw_depths(warped.light);
 //
 // A warp gives what the camera sees close by more texels, and what it sees from afar fewer. Look-ups are those of a
 // spot light, by shadow_coordinate and project_coordinate; w is above 0 and depth grows along the light.
+//
+// Under low lights, 6 to 14 degrees above a ground, a warp can resolve far less than a map without one: take the better
+// of both by choose_light.
 //
 // What is strongly warped wants digits: a matrix of doubles, rounded once, places points to 1/1000 of a texel of maps
 // of 2048 under a view of a kilometre. Its product with points in float loses more far from the origin, up to 1/28 of a
@@ -39,30 +43,43 @@ template <real T = float>
 struct warp_fit {
     frustum<T> camera{};                          ///< that the map is for
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene
+    std::optional<hull> receivers{};              ///< required: what the camera sees of the scene; where that is
+                                                  ///< nothing, the camera's frustum stands for it
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
-                                                  ///< map, >= 0
-    clip_space clip{};
+                                                  ///< map, 0 to 1000
+    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
 };
 
 template <real T>
 struct warped_light {
     light_space<T> light;  ///< for depth pass and texture_matrix; w is 1 at the least receiver
-    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped
+    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped. Says
+                           ///< nothing of quality: see choose_light
 };
 
 namespace detail {
 
-/// Complains of what fits of all warps need.
+/// A fit that has what all warps need, or a complaint; `instead` stands for receivers that are none.
 template <real T>
-void require_warp_fit(const warp_fit<T>& fit, const char* function) {
-    require_receivers(fit.receivers, function);
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+[[nodiscard]] warp_fit<T> completed(warp_fit<T> fit, const hull& instead, const char* function) {
+    require_given(fit.clip, function);
+    if (given(fit.receivers, function).points.empty()) fit.receivers = instead;
+    // beyond that float has no digits left for the receivers, and rows of the matrix become multiples of w's
+    require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin",
+            "must be from 0 to 1000", double(fit.margin));
     if (fit.casters) (void)corners(*fit.casters);
+    return fit;
 }
 
-/// The way y goes in a map: the way the camera looks, or up as it has it where it looks along the light.
+/// Where the camera sees nothing of the scene, all that it could see is as good.
+template <real T>
+[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const char* function) {
+    return completed(fit, fit.camera, function);
+}
+
+/// The way y goes in a map: the way the camera looks, or the camera's up where the sine between its view and the light
+/// is below 1e-3. Maps are not warped there, but turn at once as the sine passes 1e-3: their texels then shimmer.
 template <real T>
 [[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit) {
     const glm::dmat3 camera = axes(fit.camera);
@@ -130,8 +147,8 @@ template <real T>
 [[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
                                                    const polyhedron& casters, const char* function) {
     std::vector<glm::dvec3> receivers;
-    double least_w = highest<double>, greatest_w = 0.0;
-    for (const glm::dvec3& p : corners_of(fit.receivers)) {
+    double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
+    for (const glm::dvec3& p : corners_of(*fit.receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
         receivers.push_back(glm::dvec3(h) / h.w);
@@ -159,7 +176,7 @@ template <real T>
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
     const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
-    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a box");
+    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a box");
     return *light;
 }
 

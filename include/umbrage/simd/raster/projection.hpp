@@ -45,7 +45,8 @@ struct snapped_vertex {
 };
 
 /// @throws std::invalid_argument  a side is negative or above guard_band
-inline void require_drawable(glm::ivec2 size) {
+inline void require_drawable(glm::ivec2 size, clip_space clip) {
+    require_given(clip, "rasterize");
     if (size.x < 0 || size.y < 0) detail::fail("umbrage::rasterize: negative size");
     if (size.x > guard_band || size.y > guard_band) detail::fail("umbrage::rasterize: image side above 16384 texels");
 }
@@ -71,7 +72,7 @@ public:
     /// @throws std::invalid_argument  see require_drawable
     projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        require_drawable(size);
+        require_drawable(size, clip);
     }
 
     [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {

@@ -42,12 +42,12 @@ template <class OnUse = on_use>
 class snapped_mesh {
 public:
     /// @param to_clip   of each instance; those that are not finite draw nothing
-    /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
+    /// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above guard_band
     template <class ParallelFor>
     snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::mat4> to_clip, clip_space clip,
                  cull_mode cull, near_plane at_near, ParallelFor&& parallel)
         : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
-        require_drawable(size);
+        require_drawable(size, clip);
         if (mesh.triangles.empty()) return;
         indices_.resize((mesh.triangles.size() + piece - 1) / piece);
         in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {

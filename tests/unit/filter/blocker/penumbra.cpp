@@ -96,7 +96,8 @@ TEST_CASE("make_softness: similar triangles, for spots and directional lights of
         CHECK(digits == std::floor(digits));
     };
     for (const clip_space clip :
-         {opengl_clip_space, vulkan_clip_space, clip_space{.direction = depth_direction::reversed},
+         {opengl_clip_space, vulkan_clip_space,
+          clip_space{.range = depth_range::zero_to_one, .direction = depth_direction::reversed},
           clip_space{.range = depth_range::minus_one_to_one, .direction = depth_direction::reversed}}) {
         for (const float z_far : {20.0f, inf32}) {
             spot_light<float> lamp{.direction = {0, 0, -1}, .z_near = 0.5f, .z_far = z_far, .clip = clip};

@@ -75,7 +75,8 @@ void check_width(const Pcss& pcss, const light_space<float>& light, double lamp,
 /// Of suns and spots, either direction of depth, with and without a far plane.
 template <class Pcss>
 void check_widths(const Pcss& pcss) {
-    for (const clip_space clip : {opengl_clip_space, clip_space{.direction = depth_direction::reversed}}) {
+    for (const clip_space clip :
+         {opengl_clip_space, clip_space{.range = depth_range::zero_to_one, .direction = depth_direction::reversed}}) {
         for (const float z_far : {12.0f, inf32}) {
             const auto lamp =
                 make_spot_light<float>({.direction = {0, 0, -1}, .z_near = 0.5f, .z_far = z_far, .clip = clip});

@@ -15,7 +15,8 @@ using namespace raster_scene;
 
 namespace {
 
-image<float> clamped_render(glm::ivec2 size, const mesh_view& m, const glm::mat4& matrix, clip_space clip = {}) {
+image<float> clamped_render(glm::ivec2 size, const mesh_view& m, const glm::mat4& matrix,
+                            clip_space clip = cpu_clip_space) {
     image<float> depth(size, cleared_depth(clip));
     rasterize_depth(depth, m, matrix, clip, cull_mode::none, serial{}, near_plane::clamps);
     return depth;
@@ -120,8 +121,8 @@ TEST_CASE("near_plane::clamps: triangles that share edges through the plane cove
         m.triangles = {{0, 1, 2}, {2, 0, 3}, {4, 3, 0}, {0, 4, 1}};
         image<int> count(size);
         rasterize(
-            size, m, glm::mat4(1.0f), {}, [&](glm::ivec2 t, float, unsigned) { ++count[t]; }, cull_mode::none,
-            near_plane::clamps);
+            size, m, glm::mat4(1.0f), cpu_clip_space, [&](glm::ivec2 t, float, unsigned) { ++count[t]; },
+            cull_mode::none, near_plane::clamps);
         CHECK(std::all_of(count.texels().begin(), count.texels().end(), [](int n) { return n == 1; }));
     }
 }
@@ -138,7 +139,8 @@ TEST_CASE(
     };
     std::reverse(m.triangles.begin(), m.triangles.end());
     image<float> banded(size, 1.0f);
-    rasterize_depth(banded, m, raster_scene::perspective(), {}, cull_mode::none, backwards, near_plane::clamps);
+    rasterize_depth(banded, m, raster_scene::perspective(), cpu_clip_space, cull_mode::none, backwards,
+                    near_plane::clamps);
     CHECK(same_bits(plain, banded));
 
     for (glm::vec3& p : m.positions) p.z = std::min(p.z, -0.25f);

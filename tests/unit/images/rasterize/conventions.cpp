@@ -61,7 +61,7 @@ TEST_CASE("rasterize_depth: faces left out") {
     m.add({-50, -1, 0.5f}, {0, -1, -0.5f}, {-1, 900, 0.5f});  // the same way round when it is cut
     for (auto origin : {texture_origin::bottom, texture_origin::top})
         for (auto cull : {cull_mode::none, cull_mode::front, cull_mode::back}) {
-            const clip_space clip{.origin = origin};
+            const clip_space clip{.range = depth_range::zero_to_one, .origin = origin};
             const auto depth = render({16, 16}, m, glm::mat4(1.0f), clip, cull);
             CHECK((depth[{1, 8}] == 0.5f) == (cull != cull_mode::front));
             CHECK((depth[{14, 8}] == 0.5f) == (cull != cull_mode::back));

@@ -54,7 +54,7 @@ TEST_CASE("rasterize: depth is the exact plane's, rounded once, but for the stat
                                slope([](auto& c) { return c.column; }) * real(top - bottom);
         const auto stated = 0x1p-48L * real(std::max(right - left, top - bottom)) * magnitude;
 
-        rasterize(size, m, scene.matrix, {}, [&](glm::ivec2 texel, float depth, unsigned) {
+        rasterize(size, m, scene.matrix, cpu_clip_space, [&](glm::ivec2 texel, float depth, unsigned) {
             const auto exact = oracle.depth(texel);
             const auto error = std::abs(static_cast<long double>(depth) - exact);
             const auto ulp = static_cast<long double>(std::nextafter(depth, 2.0f)) - static_cast<long double>(depth);
@@ -76,7 +76,7 @@ TEST_CASE("rasterize_depth: nearer or as near wins, nothing beyond the far plane
         m.add({-1, -1, z}, {3, -1, z}, {-1, 3, z});
         return m;
     };
-    const clip_space forward{}, reversed{.direction = depth_direction::reversed};
+    const clip_space forward = cpu_clip_space, reversed = godot_clip_space;
     const auto after = [&](float there, float z, clip_space clip) {
         image<float> depth({3, 3}, there);
         rasterize_depth(depth, screen(z), glm::mat4(1.0f), clip);
@@ -116,7 +116,7 @@ TEST_CASE("rasterize: a visibility buffer and its depths agree with rasterize_de
     const mesh m = soup(random, 300);
     image<float> depth(size, 1.0f);
     image<unsigned> visible(size, ~0u);
-    rasterize(size, m, perspective(), {}, [&](glm::ivec2 texel, float z, unsigned triangle) {
+    rasterize(size, m, perspective(), cpu_clip_space, [&](glm::ivec2 texel, float z, unsigned triangle) {
         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
     });
     CHECK(same_bits(depth, render(size, m, perspective())));

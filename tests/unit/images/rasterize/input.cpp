@@ -27,7 +27,7 @@ TEST_CASE("rasterize_depth: bad input") {
                 broken.triangles.emplace_back(0, 1, 2);
                 broken.triangles.back()[corner] = index;
                 image<float> depth(size, 1.0f);
-                CHECK_THROWS_AS(rasterize_depth(depth, broken, glm::mat4(1.0f), {}), std::invalid_argument);
+                CHECK_THROWS_AS(rasterize_depth(depth, broken, glm::mat4(1.0f), cpu_clip_space), std::invalid_argument);
                 CHECK(all(depth, 1.0f));
             }
     }
@@ -78,26 +78,26 @@ TEST_CASE("rasterize_depth: bad input") {
         CHECK(all(render(size, degenerate), 1.0f));
         for (glm::ivec2 none : {glm::ivec2(0, 0), glm::ivec2(0, 8), glm::ivec2(8, 0)}) {
             image<float> empty(none);
-            rasterize_depth(empty, m, glm::mat4(1.0f), {});
+            rasterize_depth(empty, m, glm::mat4(1.0f), cpu_clip_space);
         }
-        rasterize_depth({}, m, glm::mat4(1.0f), {});
+        rasterize_depth({}, m, glm::mat4(1.0f), cpu_clip_space);
     }
     SUBCASE("sizes that the grid has no room for") {
         image<float> wide_image({detail::guard_band + 1, 1}), tall_image({1, detail::guard_band + 1});
-        CHECK_THROWS_AS(rasterize_depth(wide_image, m, glm::mat4(1.0f), {}), std::invalid_argument);
-        CHECK_THROWS_AS(rasterize_depth(tall_image, m, glm::mat4(1.0f), {}), std::invalid_argument);
+        CHECK_THROWS_AS(rasterize_depth(wide_image, m, glm::mat4(1.0f), cpu_clip_space), std::invalid_argument);
+        CHECK_THROWS_AS(rasterize_depth(tall_image, m, glm::mat4(1.0f), cpu_clip_space), std::invalid_argument);
         const auto ignore = [](glm::ivec2, float, unsigned) {};
-        CHECK_THROWS_AS(rasterize({-1, 4}, m, glm::mat4(1.0f), {}, ignore), std::invalid_argument);
+        CHECK_THROWS_AS(rasterize({-1, 4}, m, glm::mat4(1.0f), cpu_clip_space, ignore), std::invalid_argument);
     }
     SUBCASE("a stride leaves the texels between rows alone") {
         std::vector<float> pixels(10 * 8, 7.0f);
         image_view<float> view(pixels.data(), size, 10 * sizeof(float));
-        rasterize_depth(view, m, glm::mat4(1.0f), {});
+        rasterize_depth(view, m, glm::mat4(1.0f), cpu_clip_space);
         for (std::size_t i = 0; i < pixels.size() - 2; ++i) CHECK(pixels[i] == (i % 10 < 8 ? 0.5f : 7.0f));
         image_view<float> upside_down(pixels.data() + 70, size, -10 * std::ptrdiff_t(sizeof(float)));
         mesh lower_half;
         lower_half.add({-9, 0, 0.25f}, {9, 0, 0.25f}, {0, -9, 0.25f});
-        rasterize_depth(upside_down, lower_half, glm::mat4(1.0f), {});
+        rasterize_depth(upside_down, lower_half, glm::mat4(1.0f), cpu_clip_space);
         CHECK(pixels[74] == 0.25f);
         CHECK(pixels[4] == 0.5f);
     }

@@ -51,7 +51,8 @@ TEST_CASE("rasterize_depth: instances have the bits of one pass each, in any pie
     for (int i = 0; i < 60; ++i) instances.push_back(placed(random));
     instances[7][3][1] = nan_value;
     instances[9][0][0] = infinity;
-    for (const clip_space clip : {clip_space{}, clip_space{.origin = texture_origin::top}})
+    for (const clip_space clip :
+         {cpu_clip_space, clip_space{.range = depth_range::zero_to_one, .origin = texture_origin::top}})
         for (const near_plane at_near : {near_plane::clips, near_plane::clamps}) {
             const pictures p = draw({96, 80}, m, instances, clip, at_near);
             CHECK_FALSE(all(p.one_by_one, 1));
@@ -68,7 +69,7 @@ TEST_CASE("rasterize_depth: more instances, or a larger mesh, than are drawn at 
     small.add({0, 0, 0}, {0.3f, 0, 0}, {0, 0.3f, 0});
     small.positions.insert(small.positions.begin(), 5, glm::vec3(nan_value));
     small.triangles[0] += 5;
-    const pictures many = draw({80, 64}, small, instances, {}, near_plane::clips);
+    const pictures many = draw({80, 64}, small, instances, cpu_clip_space, near_plane::clips);
     CHECK(same_bits(many.one_by_one, many.together));
     CHECK(same_bits(many.one_by_one, many.in_pieces));
 
@@ -78,7 +79,7 @@ TEST_CASE("rasterize_depth: more instances, or a larger mesh, than are drawn at 
         large.add(at, at + glm::vec3(0.01f, 0, 0), at + glm::vec3(0, 0.01f, 0.1f));
     }
     instances.resize(3);
-    const pictures few = draw({80, 64}, large, instances, {}, near_plane::clips);
+    const pictures few = draw({80, 64}, large, instances, cpu_clip_space, near_plane::clips);
     CHECK(same_bits(few.one_by_one, few.together));
     CHECK(same_bits(few.one_by_one, few.in_pieces));
 }
@@ -110,7 +111,7 @@ TEST_CASE("rasterize_depth: where nothing rounds, instances are the meshes moved
         }
     }
     image<float> got(size, 1.0f);
-    rasterize_depth(got, m, instances, to_clip, {});
+    rasterize_depth(got, m, instances, to_clip, cpu_clip_space);
     CHECK_FALSE(all(got, 1));
     CHECK(same_bits(got, render(size, all_of_them, to_clip)));
 }
@@ -120,18 +121,18 @@ TEST_CASE("rasterize_depth: no instances, and bad meshes") {
     mesh m;
     m.add({-9, -9, 0.5f}, {9, -9, 0.5f}, {0, 9, 0.5f});
     const std::vector<glm::mat4> none, one(1, glm::mat4(1));
-    rasterize_depth(map, m, none, glm::mat4(1), {});
+    rasterize_depth(map, m, none, glm::mat4(1), cpu_clip_space);
     CHECK(all(map, 1));
     glm::mat4 broken(1);
     broken[2][2] = nan_value;
-    rasterize_depth(map, m, one, broken, {});
+    rasterize_depth(map, m, one, broken, cpu_clip_space);
     CHECK(all(map, 1));
-    rasterize_depth(map, mesh(), one, glm::mat4(1), {});
+    rasterize_depth(map, mesh(), one, glm::mat4(1), cpu_clip_space);
     CHECK(all(map, 1));
-    rasterize_depth(map, m, one, glm::mat4(1), {});
+    rasterize_depth(map, m, one, glm::mat4(1), cpu_clip_space);
     CHECK_FALSE(all(map, 1));
     m.triangles.emplace_back(0, 1, 3);
-    CHECK_THROWS_AS(rasterize_depth(map, m, one, glm::mat4(1), {}), std::invalid_argument);
+    CHECK_THROWS_AS(rasterize_depth(map, m, one, glm::mat4(1), cpu_clip_space), std::invalid_argument);
     image<float> wide({16385, 1});
-    CHECK_THROWS_AS(rasterize_depth(wide, m, none, glm::mat4(1), {}), std::invalid_argument);
+    CHECK_THROWS_AS(rasterize_depth(wide, m, none, glm::mat4(1), cpu_clip_space), std::invalid_argument);
 }

@@ -24,7 +24,8 @@ using detail::isa;
 TEST_CASE("rasterize_depth: permuted triangles and vertices, and a split into meshes, give the same bits") {
     generator random;
     const glm::ivec2 size(320, 240);
-    for (clip_space clip : {clip_space{}, clip_space{.direction = depth_direction::reversed}}) {
+    for (clip_space clip :
+         {cpu_clip_space, clip_space{.range = depth_range::zero_to_one, .direction = depth_direction::reversed}}) {
         mesh m = soup(random, 400);
         const auto reference = render(size, m, perspective(), clip);
         CHECK(std::count_if(reference.texels().begin(), reference.texels().end(),
@@ -58,7 +59,7 @@ TEST_CASE("rasterize_depth: compilers, flags and machines give the same bits for
     for (isa set : {isa::base, isa::avx2, isa::avx512}) {
         detail::isa_in_use = std::min(set, best_isa());
         std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-        rasterize(size, m, matrix, {}, [&](glm::ivec2 texel, float depth, unsigned triangle) {
+        rasterize(size, m, matrix, cpu_clip_space, [&](glm::ivec2 texel, float depth, unsigned triangle) {
             for (unsigned word : {unsigned(texel.x), unsigned(texel.y), std::bit_cast<unsigned>(depth), triangle})
                 hash = (hash ^ word) * 1099511628211u;
         });
@@ -74,7 +75,7 @@ TEST_CASE("rasterize_depth: every instruction set and every cut into pieces give
     for (const glm::ivec2 size : {glm::ivec2(517, 300), glm::ivec2(5, 700), glm::ivec2(2100, 40), glm::ivec2(8, 1)})
         for (auto direction : {depth_direction::forward, depth_direction::reversed})
             for (auto origin : {texture_origin::bottom, texture_origin::top}) {
-                const clip_space clip{.direction = direction, .origin = origin};
+                const clip_space clip{.range = depth_range::zero_to_one, .direction = direction, .origin = origin};
                 const mesh m = soup(random, 2000);
 
                 // whatever can be in an image: numbers, both zeros, denormals, infinities, NaNs of both signs
@@ -109,7 +110,7 @@ TEST_CASE("rasterize_depth: every instruction set and every cut into pieces give
     for (isa set : {isa::base, isa::avx2, isa::avx512}) {
         detail::isa_in_use = std::min(set, best_isa());
         std::uint64_t hash = 14695981039346656037u;
-        rasterize({96, 64}, large, perspective(), {}, [&](glm::ivec2 texel, float z, unsigned triangle) {
+        rasterize({96, 64}, large, perspective(), cpu_clip_space, [&](glm::ivec2 texel, float z, unsigned triangle) {
             for (unsigned word : {unsigned(texel.x), unsigned(texel.y), std::bit_cast<unsigned>(z), triangle})
                 hash = (hash ^ word) * 1099511628211u;
         });
@@ -214,14 +215,14 @@ TEST_CASE("rasterize_depth: meshes of several chunks, coherent or not, are drawn
             m.triangles.emplace_back(i + 1, above + 1, above);
         }
     image<float> reference(size, 1.0f);
-    rasterize(size, m, glm::mat4(1.0f), {},
+    rasterize(size, m, glm::mat4(1.0f), cpu_clip_space,
               [&](glm::ivec2 texel, float z, unsigned) { reference[texel] = std::min(reference[texel], z); });
     CHECK(std::count(reference.texels().begin(), reference.texels().end(), 1.0f) == 0);
     for (const bool scattered : {false, true}) {
         if (scattered) std::shuffle(m.triangles.begin(), m.triangles.end(), random.engine);
         CHECK(same_bits(render(size, m), reference));
         image<float> by_halves(size, 1.0f);
-        rasterize_depth(by_halves, m, glm::mat4(1.0f), {}, cull_mode::none, [](int count, auto&& piece) {
+        rasterize_depth(by_halves, m, glm::mat4(1.0f), cpu_clip_space, cull_mode::none, [](int count, auto&& piece) {
             piece(count / 2, count);
             piece(0, count / 2);
         });
@@ -253,14 +254,14 @@ TEST_CASE("rasterize_depth: ground around the camera, cut by every plane, is dra
             const glm::mat4 matrix = perspective() * turned;
             image<float> reference(size, 1.0f), alone = reference, in_pieces = reference;
             rasterize(
-                size, m, matrix, {},
+                size, m, matrix, cpu_clip_space,
                 [&](glm::ivec2 texel, float z, unsigned) { reference[texel] = std::min(reference[texel], z); },
                 cull_mode::none, at_near);
             CHECK(std::count(reference.texels().begin(), reference.texels().end(), 1.0f) < 200000);
-            rasterize_depth(alone, m, matrix, {}, cull_mode::none, serial{}, at_near);
+            rasterize_depth(alone, m, matrix, cpu_clip_space, cull_mode::none, serial{}, at_near);
             CHECK(same_bits(alone, reference));
             rasterize_depth(
-                in_pieces, m, matrix, {}, cull_mode::none,
+                in_pieces, m, matrix, cpu_clip_space, cull_mode::none,
                 [](int count, auto&& piece) {
                     for (int i = count; i-- > 0;) piece(i, i + 1);
                 },
@@ -282,9 +283,9 @@ TEST_CASE("rasterize_depth: corners so far away that cuts are rounded off their 
             m.add(corner[0], corner[1], corner[2]);
         }
         image<float> reference(size, 1.0f), in_bands = reference;
-        rasterize(size, m, perspective(), {},
+        rasterize(size, m, perspective(), cpu_clip_space,
                   [&](glm::ivec2 texel, float z, unsigned) { reference[texel] = std::min(reference[texel], z); });
-        rasterize_depth(in_bands, m, perspective(), {}, cull_mode::none,
+        rasterize_depth(in_bands, m, perspective(), cpu_clip_space, cull_mode::none,
                         [](int count, auto&& piece) { piece(0, count); });
         CHECK(same_bits(in_bands, reference));
     }

@@ -47,12 +47,12 @@ inline glm::vec3 at(int x, int y, glm::ivec2 size, float z = 0.5f) {
 
 inline image<int> count_samples(glm::ivec2 size, const mesh_view& m, const glm::mat4& matrix = glm::mat4(1.0f)) {
     image<int> count(size);
-    rasterize(size, m, matrix, {}, [&](glm::ivec2 texel, float, unsigned) { ++count[texel]; });
+    rasterize(size, m, matrix, cpu_clip_space, [&](glm::ivec2 texel, float, unsigned) { ++count[texel]; });
     return count;
 }
 
 inline image<float> render(glm::ivec2 size, const mesh_view& m, const glm::mat4& matrix = glm::mat4(1.0f),
-                           clip_space clip = {}, cull_mode cull = cull_mode::none) {
+                           clip_space clip = cpu_clip_space, cull_mode cull = cull_mode::none) {
     image<float> depth(size, cleared_depth(clip));
     rasterize_depth(depth, m, matrix, clip, cull);
     return depth;

@@ -38,8 +38,11 @@ std::vector<page_receiver> ground_receivers(const view& v, const glm::dmat4& to_
 }
 
 glm::dmat4 ground_root(glm::dvec3 direction) {
-    return umbrage::page_matrix(umbrage::make_page_root<double>(
-        {.direction = direction, .up = {0, 0, -1}, .side = 2400, .scene = reference_view::reference_scene}));
+    return umbrage::page_matrix(umbrage::make_page_root<double>({.direction = direction,
+                                                                 .up = {0, 0, -1},
+                                                                 .side = 2400,
+                                                                 .scene = reference_view::reference_scene,
+                                                                 .clip = umbrage::cpu_clip_space}));
 }
 
 }  // namespace
@@ -113,7 +116,8 @@ TEST_CASE("page_cache: 256 pages of 128 x 128 over a long ground, for suns all a
              .up = reference_view::reference.seen.direction,
              .receivers = intersection(reference_view::reference.seen, reference_view::reference_scene),
              .casters = reference_view::reference_scene,
-             .margin = 0});
+             .margin = 0,
+             .clip = umbrage::cpu_clip_space});
         const auto report = reference_view::on_ground({umbrage::texture_matrix(uniform, reference_view::map_size)});
         CHECK(report.p95 > 20 * p95);
     }

@@ -36,7 +36,8 @@ TEST_CASE("make_page_root: its square around its centre, along the hint") {
                                                        .up = {0, 0, -1},
                                                        .centre = {10, 0, 20},
                                                        .side = 8,
-                                                       .scene = {{0, -1, 0}, {9, 3, 9}}});
+                                                       .scene = {{0, -1, 0}, {9, 3, 9}},
+                                                       .clip = umbrage::cpu_clip_space});
     const glm::dmat4 m = umbrage::page_matrix(root);
     const auto at = [&](double x, double y, double z) { return umbrage::shadow_coordinate(m, glm::dvec3(x, y, z)); };
     CHECK(glm::length(glm::dvec2(at(10, 0, 20)) - glm::dvec2(1.5)) < 1e-12);
@@ -46,17 +47,25 @@ TEST_CASE("make_page_root: its square around its centre, along the hint") {
 
 TEST_CASE("make_page_root, page_light: bad input") {
     const double inf = std::numeric_limits<double>::infinity();
-    const auto root = [](const umbrage::page_root<double>& r) {
+    const auto with = [](auto change) {
+        umbrage::page_root<double> r{.scene = umbrage::bounding_box<double>{}, .clip = umbrage::cpu_clip_space};
+        change(r);
         return complaint([&] { (void)umbrage::make_page_root(r); });
     };
-    CHECK(root({}).empty());
-    CHECK(root({.direction = {0, 0, 0}}).starts_with("umbrage::make_page_root: direction "));
-    CHECK(root({.centre = {0, inf, 0}}).starts_with("umbrage::make_page_root: centre "));
-    CHECK(root({.side = 0}).starts_with("umbrage::make_page_root: side "));
-    CHECK(root({.side = inf}).starts_with("umbrage::make_page_root: side "));
-    CHECK(root({.scene = {{0, 0, 0}, {0, inf, 0}}}).starts_with("umbrage::bounding_box: low and high "));
+    CHECK(with([](auto&) {}).empty());
+    CHECK(with([](auto& r) { r.direction = {0, 0, 0}; }).starts_with("umbrage::make_page_root: direction "));
+    CHECK(with([&](auto& r) { r.centre = {0, inf, 0}; }).starts_with("umbrage::make_page_root: centre "));
+    CHECK(with([](auto& r) { r.side = 0; }).starts_with("umbrage::make_page_root: side "));
+    CHECK(with([&](auto& r) { r.side = inf; }).starts_with("umbrage::make_page_root: side "));
+    CHECK(with([&](auto& r) {
+              r.scene = {{0, 0, 0}, {0, inf, 0}};
+          }).starts_with("umbrage::bounding_box: low and high "));
     const auto light = [](const umbrage::page& p, const umbrage::page_size& size = {}) {
-        return complaint([&] { (void)umbrage::page_light(umbrage::make_page_root<float>({}), p, size); });
+        return complaint([&] {
+            (void)umbrage::page_light(umbrage::make_page_root<float>(
+                                          {.scene = umbrage::bounding_box<float>{}, .clip = umbrage::cpu_clip_space}),
+                                      p, size);
+        });
     };
     CHECK(light({15, 0, 32767}).empty());
     CHECK(light({16, 0, 0}).starts_with("umbrage::page_light: level "));

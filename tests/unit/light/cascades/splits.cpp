@@ -45,7 +45,7 @@ TEST_CASE("practical_splits: what cannot be cut is named") {
     for (const float lambda : {-0.1f, 1.1f, nan})
         CHECK(of(1.0f, 2.0f, lambda) == "umbrage::practical_splits: lambda must lie between 0 and 1");
     CHECK(of(1.0f, std::nextafter(1.0f, 2.0f), 0.5f) ==
-          "umbrage::practical_splits: z_near and z_far are too close together");
+          "umbrage::practical_splits: z_near and z_far must be farther apart");
     CHECK(of(1.0f, 1.001f, 1.0f).empty());
 }
 

@@ -30,7 +30,8 @@ TEST_CASE("make_warped_cascades: four over a long ground, as measured apart") {
         const cascade_fit<double> fit{.camera = reference_view::reference.seen,
                                       .direction = reference_view::sun(elevation, azimuth),
                                       .scene = reference_view::reference_scene,
-                                      .margin = 0};
+                                      .margin = 0,
+                                      .clip = cpu_clip_space};
         std::vector<glm::dmat4> to_texels;
         for (const auto& c : make_warped_cascades<4>(fit, splits, [](const warp_fit<double>& part) {
                  return fit_light_space_perspective<double>(part, optimal_distance(part));
@@ -78,7 +79,7 @@ TEST_CASE("make_warped_cascades: bad input") {
     const std::string name = "umbrage::make_warped_cascades: ";
     const auto with = [](auto change, std::array<double, 3> splits = {1, 2, 3}) {
         return complaint([&] {
-            cascade_fit<double> fit;
+            cascade_fit<double> fit{.scene = bounding_box<double>{}, .clip = cpu_clip_space};
             change(fit);
             (void)make_warped_cascades<2>(fit, splits,
                                           [](const auto& part) { return fit_light_space_perspective(part); });

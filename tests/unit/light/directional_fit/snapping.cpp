@@ -79,7 +79,7 @@ TEST_CASE("fit_directional_light: around a sphere, snapped, texels move by whole
 
 TEST_CASE("fit_directional_light: around a sphere, snapped, depth stays to the bit while the scene's box holds it") {
     const auto at = [](double x) {
-        return matrix(bounding_sphere<double>{{centre_of_scene + x, 5, centre_of_scene}, 4}, {}, 0.01);
+        return matrix(bounding_sphere<double>{{centre_of_scene + x, 5, centre_of_scene}, 4}, cpu_clip_space, 0.01);
     };
     const glm::dmat4 before = at(0);
     for (int i = 0; i < 100; ++i)
@@ -89,8 +89,9 @@ TEST_CASE("fit_directional_light: around a sphere, snapped, depth stays to the b
 TEST_CASE("fit_directional_light: without snapping the grid drifts") {
     const auto at = [](double x) {
         return texture_matrix(
-            fit_directional_light<double>(
-                {.direction = {0.4, -0.8, 0.3}, .receivers = bounding_sphere<double>{{centre_of_scene + x, 5, 0}, 4}}),
+            fit_directional_light<double>({.direction = {0.4, -0.8, 0.3},
+                                           .receivers = bounding_sphere<double>{{centre_of_scene + x, 5, 0}, 4},
+                                           .clip = cpu_clip_space}),
             {size, size});
     };
     double drift = 0;

@@ -78,11 +78,11 @@ TEST_CASE("orthographic: corners of the box in every convention, also behind the
 
 TEST_CASE_TEMPLATE("perspective, orthographic: bad input", T, float, double) {
     const auto planes = [](double z_near, double z_far) {
-        (void)perspective(T(1), T(1), T(z_near), T(z_far), clip_space{});
+        (void)perspective(T(1), T(1), T(z_near), T(z_far), cpu_clip_space);
     };
     const auto box = [](double low, double high, double z_near, double z_far) {
         (void)orthographic(glm::vec<2, T>(T(-1), T(low)), glm::vec<2, T>(T(1), T(high)), T(z_near), T(z_far),
-                           clip_space{});
+                           cpu_clip_space);
     };
     CHECK_NOTHROW(planes(1, 2));
     CHECK_NOTHROW(box(-1, 1, -1, 1));
@@ -105,8 +105,8 @@ TEST_CASE_TEMPLATE("perspective, orthographic: bad input", T, float, double) {
         CHECK_THROWS_AS(box(0, 1, 0, bad), std::invalid_argument);
     }
     for (double bad : {nan64, inf64, 0.0, -1.0}) {
-        CHECK_THROWS_AS((void)perspective(T(bad), T(1), T(1), T(2), clip_space{}), std::invalid_argument);
-        CHECK_THROWS_AS((void)perspective(T(1), T(bad), T(1), T(2), clip_space{}), std::invalid_argument);
+        CHECK_THROWS_AS((void)perspective(T(bad), T(1), T(1), T(2), cpu_clip_space), std::invalid_argument);
+        CHECK_THROWS_AS((void)perspective(T(1), T(bad), T(1), T(2), cpu_clip_space), std::invalid_argument);
     }
 }
 
@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("perspective: depth from plane to plane, however small or lar
 TEST_CASE("perspective, orthographic: errors name the function and the argument") {
     const float greatest = std::numeric_limits<float>::max(), denormal = 1e-45f;
     const auto persp = [](float x, float y, float z_near, float z_far) {
-        return complaint([=] { (void)perspective(x, y, z_near, z_far, clip_space{}); });
+        return complaint([=] { (void)perspective(x, y, z_near, z_far, cpu_clip_space); });
     };
     CHECK(persp(1, 1, 1, greatest).empty());
     CHECK(persp(0, 1, 1, 2).starts_with("umbrage::perspective: tan_half_x "));
@@ -167,7 +167,7 @@ TEST_CASE("perspective, orthographic: errors name the function and the argument"
 
     const auto ortho = [](float low, float high, float z_near, float z_far) {
         return complaint(
-            [=] { (void)orthographic(glm::vec2(-1, low), glm::vec2(1, high), z_near, z_far, clip_space{}); });
+            [=] { (void)orthographic(glm::vec2(-1, low), glm::vec2(1, high), z_near, z_far, cpu_clip_space); });
     };
     CHECK(ortho(-1, 1, -5, 5).empty());
     CHECK(ortho(1, -1, 0, 1).starts_with("umbrage::orthographic: low and high "));

@@ -35,8 +35,8 @@ TEST_CASE("fit_spot_light: of receivers all around it is make_spot_light, with a
                                                         .z_near = 0.5,
                                                         .z_far = bounded ? 22 : std::numeric_limits<double>::infinity(),
                                                         .clip = clip});
-            CHECK(difference(fitted.view, plain.view) == 0);
-            CHECK(difference(fitted.projection, plain.projection) < 1e-12);
+            CHECK(difference(fitted.value().view, plain.view) == 0);
+            CHECK(difference(fitted.value().projection, plain.projection) < 1e-12);
         }
     }
 }
@@ -65,12 +65,19 @@ TEST_CASE_TEMPLATE("fit_spot_light: bad input", T, float, double) {
     for (clip_space clip : all_clip_spaces()) {
         CAPTURE(to_string(clip));
         const auto with = [&](auto change) {
-            spot_fit<T> fit{.position = vec(0, 5, 0), .casters = bounding_box<T>{}, .clip = clip};
+            spot_fit<T> fit{
+                .position = vec(0, 5, 0), .receivers = bounding_box<T>{}, .casters = bounding_box<T>{}, .clip = clip};
             return complaint([&] {
                 change(fit);
-                const auto space = fit_spot_light(fit);
+                const auto space = fit_spot_light(fit).value();
                 CHECK(detail::all_finite(space.projection * space.view));
             });
+        };
+        const auto lights = [&](auto change) {
+            spot_fit<T> fit{
+                .position = vec(0, 5, 0), .receivers = bounding_box<T>{}, .casters = bounding_box<T>{}, .clip = clip};
+            change(fit);
+            return fit_spot_light(fit).has_value();
         };
         const std::string name = "umbrage::fit_spot_light: ";
         CHECK(with([](auto&) {}).empty());
@@ -81,20 +88,20 @@ TEST_CASE_TEMPLATE("fit_spot_light: bad input", T, float, double) {
             CHECK(with([&](auto& f) { f.outer_angle_radians = angle; }).starts_with(name + "outer_angle_radians "));
         for (T z_near : {T(0), T(-1), nan, infinity, std::numeric_limits<T>::denorm_min()})
             CHECK(with([&](auto& f) { f.z_near = z_near; }).starts_with(name + "z_near "));
-        CHECK(with([](auto& f) { f.z_near = 7; }).starts_with(name + "receivers must lie before"));
         for (T margin : {T(-1e-3), T(0.6), nan})
             CHECK(with([&](auto& f) { f.margin = margin; }).starts_with(name + "margin "));
         CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
-        CHECK(with([](auto& f) { f.direction = vec(0, 1, 0); }).starts_with(name + "receivers "));
-        CHECK(with([](auto& f) { f.direction = vec(1, 0.2, 0); }).starts_with(name + "receivers must lie in the cone"));
         CHECK(with([&](auto& f) { f.position.x = infinity; }).starts_with(name + "position "));
-        CHECK(with([](auto& f) { f.receivers = {}; }).starts_with(name + "receivers "));
-        CHECK(with([](auto& f) {
-                  f.receivers = bounding_box<T>{vec(0), vec(0)};
-              }).starts_with(name + "receivers and margin must have some extent"));
+        CHECK(with([&](auto& f) { f.receivers = bounding_box<T>{vec(nan), vec(0)}; }).find("finite") != name.npos);
         CHECK(with([](auto& f) {
                   f.receivers = bounding_box<T>{vec(0), vec(-1)};
               }).starts_with("umbrage::bounding_box: low "));
+        CHECK(lights([](auto&) {}));
+        CHECK(!lights([](auto& f) { f.z_near = 7; }));  // behind all
+        CHECK(!lights([](auto& f) { f.direction = vec(0, 1, 0); }));
+        CHECK(!lights([](auto& f) { f.direction = vec(1, 0.2, 0); }));
+        CHECK(!lights([](auto& f) { f.receivers = hull(); }));
+        CHECK(!lights([](auto& f) { f.receivers = bounding_box<T>{vec(0), vec(0)}; }));
     }
 }
 
@@ -112,7 +119,7 @@ TEST_CASE_TEMPLATE("fit_spot_light: whatever the numbers, finite matrices or a n
     };
     int made = 0, wrong = 0;
     for (int i = 0; i < 10000; ++i) {
-        spot_fit<T> fit{.clip = all_clip_spaces()[std::size_t(i % 16)]};
+        spot_fit<T> fit{.receivers = bounding_box<T>{}, .clip = all_clip_spaces()[std::size_t(i % 16)]};
         const std::string error = complaint([&] {
             if (i & 16) fit.position = vector();
             if (i & 32) fit.direction = vector();
@@ -121,11 +128,12 @@ TEST_CASE_TEMPLATE("fit_spot_light: whatever the numbers, finite matrices or a n
             const glm::vec<3, T> a = vector(), b = vector();
             if (i & 256) fit.receivers = bounding_box<T>{glm::min(a, b), glm::max(a, b)};
             if (i & 512) fit.casters = bounding_box<T>{glm::min(a, b), glm::max(a, b)};
-            const light_space<T> space = fit_spot_light(fit);
-            wrong += !detail::all_finite(space.view) || !detail::all_finite(space.projection * space.view);
+            const auto light = fit_spot_light(fit);
+            if (!light) return;
+            ++made;
+            wrong += !detail::all_finite(light->view) || !detail::all_finite(light->projection * light->view);
         });
         wrong += !error.empty() && !error.starts_with("umbrage::fit_spot_light: ");
-        made += error.empty();
     }
     CHECK(wrong == 0);
     CHECK(made > 1000);

@@ -46,8 +46,12 @@ TEST_CASE("fit_light_space_perspective: over a long ground, as measured apart, a
 
 TEST_CASE("fit_light_space_perspective: overhead light and a bare frustum need the storage that theory says") {
     const reference_view::view whole(frustum<double>{.tan_half_x = 1, .tan_half_y = 1, .z_near = 1, .z_far = 1000});
-    const warp_fit<double> fit{
-        .camera = whole.seen, .direction = {0, -1, 0}, .receivers = whole.seen, .casters = {}, .margin = 0};
+    const warp_fit<double> fit{.camera = whole.seen,
+                               .direction = {0, -1, 0},
+                               .receivers = whole.seen,
+                               .casters = {},
+                               .margin = 0,
+                               .clip = cpu_clip_space};
     CHECK(optimal_distance(fit) == doctest::Approx(1 + std::sqrt(1000.0)));
     const auto storage = [&](double n) {
         const glm::dmat4 texels =
@@ -71,7 +75,8 @@ TEST_CASE("fit_light_space_perspective: by hand, and without a warp") {
     warp_fit<double> fit{.camera = camera,
                          .direction = {0, -1, 0},
                          .receivers = bounding_box<double>{{-1, 0, -3}, {2, 1, -1}},
-                         .margin = 0};
+                         .margin = 0,
+                         .clip = cpu_clip_space};
     const auto warped = fit_light_space_perspective<double>(fit, 2.0);
     CHECK(warped.strength == doctest::Approx(0.5));  // w from 1 to 2
     const glm::dmat4 uv = texture_matrix_uv(warped.light);
@@ -87,8 +92,11 @@ TEST_CASE("fit_light_space_perspective: by hand, and without a warp") {
     fit.margin = 0;
     const auto straight = fit_light_space_perspective<double>(fit, infinity);
     CHECK(straight.strength == 0);
-    const auto uniform = fit_directional_light<double>(
-        {.direction = fit.direction, .up = camera.direction, .receivers = fit.receivers, .margin = 0});
+    const auto uniform = fit_directional_light<double>({.direction = fit.direction,
+                                                        .up = camera.direction,
+                                                        .receivers = fit.receivers,
+                                                        .margin = 0,
+                                                        .clip = cpu_clip_space});
     CHECK(difference(straight.light.projection, uniform.projection) < 1e-15);
     CHECK(difference(straight.light.view, uniform.view) == 0);
 }
@@ -107,7 +115,7 @@ TEST_CASE(
             if (std::sin(angle) <= 0.02) CHECK(warped.strength == 0);
             least = std::min(least, warped.strength), greatest = std::max(greatest, warped.strength);
             const glm::dmat4 uv = texture_matrix_uv(warped.light);
-            for (const glm::dvec3& p : fit.receivers.points)
+            for (const glm::dvec3& p : fit.receivers->points)
                 if (before)
                     step = std::max(step, glm::length(glm::dvec2(through(uv, p)) - glm::dvec2(through(*before, p))));
             before = uv;
@@ -121,11 +129,27 @@ TEST_CASE(
     CHECK(greatest > 0.9);
 }
 
+TEST_CASE_TEMPLATE("fit_light_space_perspective: at the optimal distance, for a camera without a near plane too", T,
+                   float, double) {
+    warp_fit<T> fit{.direction = {1, -2, T(0.5)},
+                    .receivers = bounding_box<T>{},
+                    .casters = bounding_box<T>{},
+                    .clip = cpu_clip_space};
+    CHECK(fit_light_space_perspective(fit, optimal_distance(fit)).strength > 0);
+    fit.camera.z_near = 0;
+    CHECK(optimal_distance(fit) > 0);
+    CHECK(fit_light_space_perspective(fit, optimal_distance(fit)).strength > 0);
+    CHECK(fit_light_space_perspective(fit, 1e-30f).strength > 0);
+}
+
 TEST_CASE_TEMPLATE("fit_light_space_perspective: bad input, and cameras inside and along", T, float, double) {
     const T nan = std::numeric_limits<T>::quiet_NaN();
     const auto with = [](auto change, std::optional<T> distance = {}) {
         return complaint([&] {
-            warp_fit<T> fit{.direction = {1, -2, T(0.5)}, .casters = bounding_box<T>{}};
+            warp_fit<T> fit{.direction = {1, -2, T(0.5)},
+                            .receivers = bounding_box<T>{},
+                            .casters = bounding_box<T>{},
+                            .clip = cpu_clip_space};
             change(fit);
             const auto warped = fit_light_space_perspective(fit, distance);
             CHECK(umbrage::detail::all_finite(warped.light.projection * warped.light.view));
@@ -139,8 +163,9 @@ TEST_CASE_TEMPLATE("fit_light_space_perspective: bad input, and cameras inside a
     CHECK(with([](auto&) {}, T(1e30)) == "");
     for (const T bad : {T(0), T(-1), nan}) CHECK(with([](auto&) {}, bad).starts_with(name + "distance "));
     CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
-    CHECK(with([](auto& f) { f.receivers.points.clear(); }).starts_with(name + "receivers "));
-    CHECK(with([](auto& f) { f.margin = -1; }).starts_with(name + "margin "));
+    CHECK(with([](auto& f) { f.receivers->points.clear(); }) == "");  // the camera sees nothing of the scene
+    for (const T bad : {T(-1), T(1e19), nan})
+        CHECK(with([=](auto& f) { f.margin = bad; }).starts_with(name + "margin must be from 0 to 1000; got "));
     CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));
     CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with("umbrage::bounding_box: "));
     CHECK(with([&](auto& f) {

@@ -62,7 +62,8 @@ TEST_CASE("fit_perspective: overhead light by hand") {
     warp_fit<double> fit{.camera = camera,
                          .direction = {0, -1, 0},
                          .receivers = bounding_box<double>{{-1, 0, -3}, {1, 1, -1}},
-                         .margin = 0};
+                         .margin = 0,
+                         .clip = cpu_clip_space};
     const auto warped = fit_perspective(fit);
     CHECK(warped.seen_as == light_image::parallel);
     CHECK(warped.strength == doctest::Approx(0.5));  // w is the distance
@@ -88,7 +89,7 @@ TEST_CASE("fit_perspective: no jump while the light passes from before the camer
         ++images[int(warped.seen_as)];
         const glm::dmat4 uv = texture_matrix_uv(warped.light);
         if (before)
-            for (const glm::dvec3& p : fit.receivers.points)
+            for (const glm::dvec3& p : fit.receivers->points)
                 greatest_step =
                     std::max(greatest_step, glm::length(glm::dvec2(through(uv, p)) - glm::dvec2(through(*before, p))));
         before = uv;
@@ -130,7 +131,7 @@ TEST_CASE("fit_perspective: turns into light-space perspective, and back again, 
                 const auto fit = under(first);
                 const glm::dmat4 one = texture_matrix_uv(fit_perspective(fit).light),
                                  other = texture_matrix_uv(fit_perspective(under(last)).light);
-                for (const glm::dvec3& p : fit.receivers.points)
+                for (const glm::dvec3& p : fit.receivers->points)
                     CHECK(glm::length(through(one, p) - through(other, p)) < 1e-7);
             }
         }
@@ -195,7 +196,10 @@ TEST_CASE_TEMPLATE("fit_perspective: bad input, and cameras inside and along", T
     const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
     const auto with = [](auto change, T slide = 1) {
         return complaint([&] {
-            warp_fit<T> fit{.direction = {1, -2, T(0.5)}, .casters = bounding_box<T>{}};
+            warp_fit<T> fit{.direction = {1, -2, T(0.5)},
+                            .receivers = bounding_box<T>{},
+                            .casters = bounding_box<T>{},
+                            .clip = cpu_clip_space};
             change(fit);
             const auto warped = fit_perspective(fit, slide);
             CHECK(umbrage::detail::all_finite(warped.light.projection * warped.light.view));
@@ -208,13 +212,16 @@ TEST_CASE_TEMPLATE("fit_perspective: bad input, and cameras inside and along", T
     for (const T slide : {T(1e-6), T(1e6)}) CHECK(with([](auto&) {}, slide) == "");
     for (const T bad : {T(0), T(-1), nan, infinity}) CHECK(with([](auto&) {}, bad).starts_with(name + "slide "));
     CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
-    CHECK(with([](auto& f) { f.receivers.points.clear(); }).starts_with(name + "receivers "));
-    CHECK(with([](auto& f) { f.margin = -1; }).starts_with(name + "margin "));
+    CHECK(with([](auto& f) { f.receivers->points.clear(); }) == "");  // the camera sees nothing of the scene
+    for (const T bad : {T(-1), T(1e19), nan})
+        CHECK(with([=](auto& f) { f.margin = bad; }).starts_with(name + "margin must be from 0 to 1000; got "));
     CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));
     CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with("umbrage::bounding_box: "));
     CHECK(with([](auto& f) {
               f.receivers = bounding_box<T>{glm::vec<3, T>(1), glm::vec<3, T>(1)};
           }).find("receivers, casters and margin ") != std::string::npos);
+    const std::string distant = with([](auto& f) { f.camera.position.z = T(0.8) * std::numeric_limits<T>::max(); });
+    CHECK((distant.empty() || distant == name + "receivers must lie nearer to the camera"));
     CHECK(with([](auto& f) { f.camera.direction = f.direction; }) == "");
     CHECK(with([](auto& f) { f.camera.direction = -f.direction; }) == "");
     CHECK(with([](auto& f) { f.camera.position = {5, 5, 5}; }) == "");

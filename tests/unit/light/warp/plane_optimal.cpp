@@ -24,7 +24,7 @@ const glm::dvec4 level(0, 1, 0, 0);
 
 TEST_CASE("fit_plane_optimal: every texel of a ground is as long as any other, under every light") {
     for (const auto& s : reference_view::suns) {
-        const auto warped = fit_plane_optimal(reference_view::warp_under(s), level);
+        const auto warped = fit_plane_optimal(reference_view::warp_under(s), level).value();
         const quality_report report =
             reference_view::on_ground({texture_matrix(warped.light, reference_view::map_size)});
         CHECK(report.mean == doctest::Approx(0.625).epsilon(1e-9));  // 1280 pixels over 2048 texels
@@ -44,7 +44,7 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
         const double elevation = bodies::real(3, 90)(random), azimuth = bodies::real(0, 360)(random);
         fit.direction = reference_view::sun(elevation, azimuth);
         if (i % 3 == 0) fit.margin = 0.05;
-        const auto warped = fit_plane_optimal(fit, i % 2 ? level : -3.0 * level);
+        const auto warped = fit_plane_optimal(fit, i % 2 ? level : -3.0 * level).value();
         const glm::dmat4 uv = texture_matrix_uv(warped.light), rounded{glm::mat4(uv)};
         const glm::dmat4 other = texture_matrix_uv(fit_light_space_perspective(fit).light);
         for (int k = 0; k < 8; ++k) {
@@ -92,14 +92,39 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
     CHECK(cast > 20000);
 }
 
+TEST_CASE("plane_optimal_rounding: more than rounding spreads the plane's depth by, for cameras near the origin") {
+    std::mt19937 random(11);
+    double greatest = 0;
+    for (int i = 0; i < 20000; ++i) {
+        warp_fit<double> fit = reference_view::warp_under({90, 0});
+        const double yaw = bodies::real(0, 6.28)(random), pitch = bodies::real(-1.05, 0.09)(random);
+        fit.camera.position = bodies::random_vector(random, -17, 17);
+        fit.camera.position.y = bodies::real(1, 10)(random);
+        fit.camera.direction = {std::sin(yaw), std::tan(pitch), std::cos(yaw)};
+        fit.direction = reference_view::sun(bodies::real(3, 90)(random), bodies::real(0, 360)(random));
+        const glm::dmat4 rounded{glm::mat4(texture_matrix_uv(fit_plane_optimal(fit, level).value().light))};
+        double least = 1, most = 0;
+        for (const glm::dvec3& p : detail::crossings(polyhedron(fit.camera), level)) {
+            const double depth = through(rounded, p).z;
+            least = std::min(least, depth), most = std::max(most, depth);
+        }
+        greatest = std::max(greatest, most - least);
+    }
+    CHECK(greatest <= plane_optimal_rounding<double>);
+    CHECK(greatest > 0.25 * plane_optimal_rounding<double>);
+}
+
 TEST_CASE_TEMPLATE("fit_plane_optimal: bad input", T, float, double) {
     using vec4 = glm::vec<4, T>;
     const T nan = std::numeric_limits<T>::quiet_NaN();
     const auto with = [](auto change, const vec4& plane = vec4(0, 1, 0, 1)) {
         return complaint([&] {
-            warp_fit<T> fit{.direction = {1, -2, T(0.5)}, .casters = bounding_box<T>{}};
+            warp_fit<T> fit{.direction = {1, -2, T(0.5)},
+                            .receivers = bounding_box<T>{},
+                            .casters = bounding_box<T>{},
+                            .clip = cpu_clip_space};
             change(fit);
-            const auto warped = fit_plane_optimal(fit, plane);
+            const auto warped = fit_plane_optimal(fit, plane).value();
             CHECK(umbrage::detail::all_finite(warped.light.projection * warped.light.view));
             CHECK((warped.strength >= 0 && warped.strength < 1));
         });
@@ -113,11 +138,19 @@ TEST_CASE_TEMPLATE("fit_plane_optimal: bad input", T, float, double) {
     CHECK(plane({0, 0, 1, 5}) == "");
     CHECK(plane({0, 0, 0, 1}).starts_with(name + "plane "));
     CHECK(plane({nan, 1, 0, 1}).starts_with(name + "plane "));
-    CHECK(plane({0, 0, 1, -5}).starts_with(name + "plane "));  // behind the camera
-    CHECK(plane({0, 1, 0, 0}).starts_with(name + "plane "));   // through it
-    CHECK(plane({2, 1, 0, 1}).starts_with(name + "plane "));   // along the light
+    const auto is_seen = [](const vec4& of) {
+        return fit_plane_optimal(
+                   warp_fit<T>{.direction = {1, -2, T(0.5)}, .receivers = bounding_box<T>{}, .clip = cpu_clip_space},
+                   of)
+            .has_value();
+    };
+    CHECK(is_seen({0, 1, 0, 1}));
+    CHECK(!is_seen({0, 0, 1, -5}));  // behind the camera
+    CHECK(!is_seen({0, 1, 0, 0}));   // through it
+    CHECK(!is_seen({2, 1, 0, 1}));   // along the light
     CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
-    CHECK(with([](auto& f) { f.margin = -1; }).starts_with(name + "margin "));
+    for (const T bad : {T(-1), T(1e19), nan})
+        CHECK(with([=](auto& f) { f.margin = bad; }).starts_with(name + "margin must be from 0 to 1000; got "));
     CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));
     CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with("umbrage::bounding_box: "));
 }

@@ -45,7 +45,8 @@ TEST_CASE("fit_trapezoidal: the focus lies at four fifths, the trapezoid's corne
     const frustum<double> camera{
         .position = {3, 1, 2}, .direction = {1, 0, -1}, .tan_half_x = 0.7, .z_near = 1, .z_far = 50};
     for (const glm::dvec3 light : {glm::dvec3(0, -1, 0), glm::dvec3(0.5, -1, -0.5), glm::dvec3(-0.5, -1, 0.5)}) {
-        const warp_fit<double> fit{.camera = camera, .direction = light, .receivers = camera, .margin = 0};
+        const warp_fit<double> fit{
+            .camera = camera, .direction = light, .receivers = camera, .margin = 0, .clip = cpu_clip_space};
         const glm::dvec3 way = glm::normalize(camera.direction);
         double before = 0;
         for (const double focus : {5.0, 10.0, 20.0}) {

@@ -38,6 +38,8 @@ struct scattered {
 
 template <class Encoding, class Filter>
 void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
+    if constexpr (requires { encoding.direction = filter.is_lit.direction; })
+        encoding.direction = filter.is_lit.direction;
     const std::string name(filter.name);
     const float reach = filter.reach();  // which decides where outside_map::lit looks again
     CAPTURE(name);

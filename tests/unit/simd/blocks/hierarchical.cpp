@@ -15,10 +15,11 @@ template <class Filter, class Hierarchical>
 int differing(const Filter& filter, const Hierarchical& hierarchical, const image<float>& map,
               const image<glm::vec3>& receivers, umbrage::outside_map outside) {
     int differ = 0;
+    const umbrage::depth32f floats{filter.is_lit.direction};
     for_each_path([&] {
         image<float> each(receivers.size()), at_once(receivers.size());
-        umbrage::visibility(map, umbrage::depth32f{}, receivers, filter, each, bands{3}, outside);
-        umbrage::visibility(map, umbrage::depth32f{}, receivers, hierarchical, at_once, bands{7}, outside);
+        umbrage::visibility(map, floats, receivers, filter, each, bands{3}, outside);
+        umbrage::visibility(map, floats, receivers, hierarchical, at_once, bands{7}, outside);
         for (std::size_t i = 0; i < each.texels().size(); ++i)
             differ += visibility_bits(each.texels()[i]) != visibility_bits(at_once.texels()[i]);
     });

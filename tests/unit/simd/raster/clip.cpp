@@ -23,7 +23,7 @@ glm::mat4 no_near() {
 }  // namespace
 
 TEST_CASE("clip_triangle: a corner at the eye is cut off where w is still positive") {
-    const projection p(no_near(), {}, {64, 64});
+    const projection p(no_near(), cpu_clip_space, {64, 64});
     const auto at = [&](float x, float y, float z) { return p.homogeneous({x, y, z}); };
     const auto polygon = clip_triangle(p, at(0, 0, 0), at(-1, -1, 1), at(1, -1, 1));
     CHECK(polygon.count == 4);
@@ -39,7 +39,7 @@ TEST_CASE("clip_triangle: the same polygon for any order of corners, within the 
     const auto coordinate = [&] { return double(int(random() % 2001) - 1000) * 64.0; };
     glm::mat4 m(1.0f);
     m[2][3] = 1.0f, m[3][3] = 0.0f;  // w = z
-    const projection p(m, {}, {64, 64});
+    const projection p(m, cpu_clip_space, {64, 64});
     int most = 0, none = 0;
     for (int round = 0; round < 2000; ++round) {
         std::array<glm::dvec4, 3> h;

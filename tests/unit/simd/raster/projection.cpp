@@ -14,13 +14,14 @@ TEST_CASE("projection: homogeneous texels and depth, for each depth range") {
     const projection p(glm::mat4(1.0f), opengl_clip_space, {64, 32});
     CHECK(p.homogeneous({-1, -1, -1}) == glm::dvec4(0, 0, 0, 1));
     CHECK(p.homogeneous({1, 0.5f, 0.5f}) == glm::dvec4(64, 24, 0.75, 1));
-    CHECK(projection(glm::mat4(1.0f), {}, {64, 32}).homogeneous({1, 0.5f, 0.5f}) == glm::dvec4(64, 24, 0.5, 1));
-    CHECK_THROWS_AS(projection(glm::mat4(1.0f), {}, {-1, 1}), std::invalid_argument);
-    CHECK_THROWS_AS(projection(glm::mat4(1.0f), {}, {1, guard_band + 1}), std::invalid_argument);
+    CHECK(projection(glm::mat4(1.0f), cpu_clip_space, {64, 32}).homogeneous({1, 0.5f, 0.5f}) ==
+          glm::dvec4(64, 24, 0.5, 1));
+    CHECK_THROWS_AS(projection(glm::mat4(1.0f), cpu_clip_space, {-1, 1}), std::invalid_argument);
+    CHECK_THROWS_AS(projection(glm::mat4(1.0f), cpu_clip_space, {1, guard_band + 1}), std::invalid_argument);
 }
 
 TEST_CASE("projection: snaps to 1/256 texel, halves upwards, on either side of 0") {
-    const projection p(glm::mat4(1.0f), {}, {1, 1});
+    const projection p(glm::mat4(1.0f), cpu_clip_space, {1, 1});
     const auto column = [&](double steps) { return p.snap({steps * 3.0 / 256.0, 0.0, 0.0, 3.0}).x; };
     for (int i = -1000; i <= 1000; ++i) {
         CHECK(column(i) == i);
@@ -31,8 +32,8 @@ TEST_CASE("projection: snaps to 1/256 texel, halves upwards, on either side of 0
 }
 
 TEST_CASE("projection: what each plane keeps out") {
-    const projection p(glm::mat4(1.0f), {}, {64, 32});
-    const projection reversed(glm::mat4(1.0f), {.direction = depth_direction::reversed}, {64, 32});
+    const projection p(glm::mat4(1.0f), cpu_clip_space, {64, 32});
+    const projection reversed(glm::mat4(1.0f), godot_clip_space, {64, 32});
     CHECK(p.outside({0, 0, 0, 1}) == 0u);
     CHECK(p.outside({guard_band, -guard_band, 9, 1}) == 0u);  // borders are inside, and there is no far plane
     CHECK(p.outside({0, 0, -1e-30, 1}) == 1u << 1);

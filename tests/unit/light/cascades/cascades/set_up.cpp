@@ -18,7 +18,7 @@ TEST_CASE("make_stable_cascades, make_tight_cascades: what is wrong is named") {
     using fit = cascade_fit<float>;
     const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
     const auto of = [](auto change, std::array<float, 3> splits = {1.0f, 10.0f, 100.0f}) {
-        fit f;
+        fit f{.scene = bounding_box<float>{}, .clip = cpu_clip_space};
         change(f);
         const std::string stable = complaint([&] { (void)make_stable_cascades<2>(f, splits); });
         const std::string tight = complaint([&] { (void)make_tight_cascades<2>(f, splits); });
@@ -43,6 +43,10 @@ TEST_CASE("make_stable_cascades, make_tight_cascades: what is wrong is named") {
     CHECK(of([&](fit& f) { f.camera.position.x = nan; }) == "position");
     CHECK(of([&](fit& f) { f.camera.direction = glm::vec3(0); }) == "direction");
     CHECK(of([](fit& f) { f.direction = glm::vec3(0); }) == "direction");
+    const fit nowhere{.direction = {0, 0, 0}, .scene = bounding_box<float>{}, .clip = cpu_clip_space};
+    CHECK(complaint([&] {
+              (void)make_stable_cascades<1>(nowhere, std::array{1.0f, 2.0f});
+          }) == "umbrage::make_stable_cascades: direction must not be zero");
     CHECK(of([&](fit& f) { f.direction.y = nan; }) == "direction");
     CHECK(of([&](fit& f) { f.up.y = infinity; }) == "up");
     CHECK(of([](fit& f) { f.scene.low.x = 2.0f; }) == "low");
@@ -66,7 +70,8 @@ TEST_CASE(
                     const cascade_fit<float> fit{
                         .camera = {.tan_half_x = tangent},
                         .direction = direction,
-                        .scene = {glm::vec3(-extent, 0, -extent), glm::vec3(extent, 0, extent)}};
+                        .scene = {glm::vec3(-extent, 0, -extent), glm::vec3(extent, 0, extent)},
+                        .clip = cpu_clip_space};
                     const auto check = [&](const auto& all) {
                         for (const cascade<float>& c : all) {
                             CHECK(umbrage::detail::all_finite(c.light.projection * c.light.view));
@@ -86,7 +91,10 @@ TEST_CASE(
 }
 
 TEST_CASE("make_tight_cascades: a camera that looks away from the scene has cascades of its frustum") {
-    const cascade_fit<double> fit{.camera = {.position = {0, 0, -20}}, .direction = {0, -1, 0.1}};
+    const cascade_fit<double> fit{.camera = {.position = {0, 0, -20}},
+                                  .direction = {0, -1, 0.1},
+                                  .scene = bounding_box<double>{},
+                                  .clip = cpu_clip_space};
     for (const auto& c : make_tight_cascades<2>(fit, std::array{1.0, 10.0, 100.0})) {
         const glm::dvec3 ahead(0, 0, -20 - (c.begin + c.end) / 2);
         const glm::dvec3 at = cascade_coordinate(glm::dvec3(c.light.view * glm::dvec4(ahead, 1)), c.scale, c.offset);
@@ -95,7 +103,9 @@ TEST_CASE("make_tight_cascades: a camera that looks away from the scene has casc
 }
 
 TEST_CASE("make_cascade_uniforms: the next cascade fades in over the last share of each") {
-    const auto all = make_stable_cascades<3>(cascade_fit<double>{.overlap = 0.2}, std::array{1.0, 11.0, 31.0, 91.0});
+    const auto all = make_stable_cascades<3>(
+        cascade_fit<double>{.scene = bounding_box<double>{}, .overlap = 0.2, .clip = cpu_clip_space},
+        std::array{1.0, 11.0, 31.0, 91.0});
     const auto u = make_cascade_uniforms(all, 0.2);
     CHECK(u.rotation == all[0].light.view);
     for (glm::length_t i = 0; i < 3; ++i) {

@@ -80,7 +80,9 @@ found of_all_conventions(bool in_scene, Make make) {
                     if (in_scene && !inside) continue;
                     const glm::dvec3 rotated(all[k].light.view * glm::dvec4(p, 1));
                     const glm::dvec3 texel = cascade_coordinate(rotated, all[k].scale, all[k].offset);
-                    f.outside += !inside_cascade(texel, glm::dvec2(fit.map_size), fit.margin);
+                    // depths are the scene's: those of other points may be any
+                    const glm::dvec3 held(texel.x, texel.y, inside ? texel.z : 0.5);
+                    f.outside += !inside_cascade(held, glm::dvec2(fit.map_size), fit.margin);
                     ++f.tried;
                     const glm::dvec3 by_matrix = through(m, p);
                     for (glm::length_t a = 0; a < 3; ++a) f.apart = worse(f.apart, std::abs(texel[a] - by_matrix[a]));
@@ -129,7 +131,8 @@ TEST_CASE_TEMPLATE("make_stable_cascades: 3 km out, points move by whole texels 
     for (int frame = 0; frame < 100; ++frame) {
         const double a = 0.37 * frame;
         cascade_fit<T> fit{.direction = {T(0.3), T(-1), T(0.2)},
-                           .scene = {glm::vec<3, T>(middle - 500.0), glm::vec<3, T>(middle + 500.0)}};
+                           .scene = {glm::vec<3, T>(middle - 500.0), glm::vec<3, T>(middle + 500.0)},
+                           .clip = cpu_clip_space};
         fit.camera.position = glm::vec<3, T>(middle + 5.0 * random_vector(random));
         fit.camera.direction = glm::vec<3, T>(glm::dvec3(std::cos(a), 0.3 * std::sin(3 * a), std::sin(a)));
         fit.camera.tan_half_x = fit.camera.tan_half_y = T(0.6);
@@ -154,6 +157,32 @@ TEST_CASE_TEMPLATE("make_stable_cascades: 3 km out, points move by whole texels 
     }
     CHECK(farthest > 100);
     CHECK(by_matrix < (sizeof(T) == 4 ? 0.01 : 1e-9));
+}
+
+TEST_CASE("make_stable_cascades: depths are the scene's alone, one scale for all, while the camera leaves the scene") {
+    cascade_fit<float> fit{.camera = {.position = {0, 2, 8}, .direction = {0, -1, -4}, .tan_half_x = 0.8f},
+                           .direction = {-2, -6, -3},
+                           .scene = {{-4, 0, -4}, {4, 0.3f, 4}},
+                           .overlap = 0.1f,
+                           .clip = cpu_clip_space};
+    const auto splits = practical_splits<4>(0.5f, 30.0f, 0.9f);
+    const auto first = make_stable_cascades<4>(fit, splits);
+    for (int step = 0; step < 1000; ++step) {
+        fit.camera.position.z -= 0.01f;
+        const auto now = make_stable_cascades<4>(fit, splits);
+        for (std::size_t i = 0; i < 4; ++i) {
+            CHECK(now[i].scale == first[i].scale);
+            CHECK(now[i].scale.z == first[0].scale.z);
+            CHECK(now[i].offset.z == first[0].offset.z);
+            for (glm::length_t axis = 0; axis < 2; ++axis)
+                CHECK(now[i].offset[axis] == std::round(now[i].offset[axis]));
+        }
+    }
+    for (const glm::dvec3& corner : corners(fit.scene)) {
+        const glm::vec3 rotated(first[0].light.view * glm::vec4(glm::vec3(corner), 1));
+        const float depth = cascade_coordinate(rotated, first[0].scale, first[0].offset).z;
+        CHECK((depth > 0 && depth < 1));
+    }
 }
 
 TEST_CASE("make_stable_cascades: what a map shows of fixed points never changes while the camera moves and turns") {

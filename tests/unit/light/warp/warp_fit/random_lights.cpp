@@ -55,8 +55,12 @@ TEST_CASE("warps: of 1200 lights none loses a receiver or caster, bends a ray, o
             const bounding_box<double> scene = reference_view::reference_scene;
             const polyhedron seen = intersection(camera, scene);
             const glm::dvec3 direction = reference_view::sun(std::asin(sine) / radians, azimuth);
-            const warp_fit<double> fit{
-                .camera = camera, .direction = direction, .receivers = seen, .casters = scene, .margin = 0};
+            const warp_fit<double> fit{.camera = camera,
+                                       .direction = direction,
+                                       .receivers = seen,
+                                       .casters = scene,
+                                       .margin = 0,
+                                       .clip = cpu_clip_space};
             const warped_light<double> warped = warp.fit(fit);
             uniform += warped.strength == 0;
             const glm::dmat4 exact = texture_matrix(warped.light, glm::ivec2(int(size)));
@@ -70,9 +74,9 @@ TEST_CASE("warps: of 1200 lights none loses a receiver or caster, bends a ray, o
                 return at.w > 0 && at.x > -e * size && at.x < size * (1 + e) && at.y > -e * size &&
                        at.y < size * (1 + e) && at.z > -e && at.z < 1 + e;
             };
-            for (const glm::dvec3& corner : fit.receivers.points) lost += !inside(place(exact, corner));
+            for (const glm::dvec3& corner : fit.receivers->points) lost += !inside(place(exact, corner));
             for (int k = 0; k < 8; ++k) {
-                const glm::dvec3 receiver = bodies::point_between(fit.receivers.points, random);
+                const glm::dvec3 receiver = bodies::point_between(fit.receivers->points, random);
                 const glm::dvec4 own = place(exact, receiver);
                 lost += !inside(own);
                 double out = 1e9;  // of the scene, towards the light

@@ -22,7 +22,7 @@ glm::dmat4 any_warp(const warp_fit<double>& fit, std::mt19937& random) {
     const double turn = bodies::real(0, 6)(random), strength = bodies::real(0, 3)(random);
     glm::dvec4 w(std::cos(turn), std::sin(turn), 0, 0);
     double least = 1e9;
-    for (const glm::dvec3& p : detail::seen(frame, fit.receivers.points))
+    for (const glm::dvec3& p : detail::seen(frame, fit.receivers->points))
         least = std::min(least, glm::dot(w, glm::dvec4(p, 1)));
     w = strength * (w - glm::dvec4(0, 0, 0, least)) + glm::dvec4(0, 0, 0, 1);
     glm::dmat4 warp(1);
@@ -58,7 +58,7 @@ TEST_CASE("refit: receivers touch all sides of the map, swept casters lie in it,
         REQUIRE(warped.has_value());
         glm::dvec3 low(1e9), high(-1e9);
         double least_w = 1e9, greatest_w = 0;
-        for (const glm::dvec3& p : fit.receivers.points) {
+        for (const glm::dvec3& p : fit.receivers->points) {
             const glm::dvec3 at = in_cube(warped->light, p);
             const double w = (warped->light.projection * warped->light.view * glm::dvec4(p, 1)).w;
             low = glm::min(low, at), high = glm::max(high, at);
@@ -75,7 +75,7 @@ TEST_CASE("refit: receivers touch all sides of the map, swept casters lie in it,
         CHECK(least_w == doctest::Approx(1));
         CHECK(warped->strength == doctest::Approx(1 - least_w / greatest_w));
         for (int k = 0; k < 100; ++k) {
-            const glm::dvec3 receiver = bodies::point_between(fit.receivers.points, random);
+            const glm::dvec3 receiver = bodies::point_between(fit.receivers->points, random);
             const glm::dvec3 caster = receiver - direction * bodies::real(0, 20)(random);
             if (glm::any(glm::lessThan(caster, above.low)) || glm::any(glm::greaterThan(caster, above.high))) continue;
             ++cast;
@@ -91,14 +91,14 @@ TEST_CASE("refit: receivers touch all sides of the map, swept casters lie in it,
 
 TEST_CASE("refit: turns a mirrored map over") {
     for (const clip_space clip : all_clip_spaces()) {
-        const warp_fit<double> fit{.direction = {1, -2, 0.5}, .clip = clip};
+        const warp_fit<double> fit{.direction = {1, -2, 0.5}, .receivers = bounding_box<double>{}, .clip = clip};
         const glm::dmat4 frame = detail::light_frame(detail::view_of(fit, "refit"), clip.hand);
         glm::dmat4 mirror(1);
         mirror[0][0] = -1;
         const auto straight = detail::refit(frame, fit, "refit"),
                    mirrored = detail::refit(mirror * frame, fit, "refit");
-        const auto uniform =
-            fit_directional_light<double>({.direction = fit.direction, .up = {0, 0, -1}, .clip = clip});
+        const auto uniform = fit_directional_light<double>(
+            {.direction = fit.direction, .up = {0, 0, -1}, .receivers = bounding_box<double>{}, .clip = clip});
         const auto turn = [](const light_space<double>& light) {
             return glm::determinant(light.projection * light.view) < 0;
         };
@@ -109,7 +109,7 @@ TEST_CASE("refit: turns a mirrored map over") {
 }
 
 TEST_CASE("refit: nothing for receivers behind w = 0 or of no extent; a ball's box stands for it") {
-    warp_fit<double> fit{.direction = {0, -1, 0}};
+    warp_fit<double> fit{.direction = {0, -1, 0}, .receivers = bounding_box<double>{}, .clip = cpu_clip_space};
     glm::dmat4 map = detail::light_frame(detail::view_of(fit, "refit"), fit.clip.hand);
     CHECK(detail::refit(map, fit, "refit").has_value());
     map[0][3] = 2;
