@@ -73,10 +73,10 @@ template <real T>
     light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
     if (fit.casters && snaps) {
         const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
-        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
+        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
     } else if (fit.casters) {
         const auto swept = sweep(points, around);
-        box.z_near = glm::min(box.z_near, nearest(frame, *fit.casters, swept) - margin);
+        box.z_near = detail::lesser(box.z_near, nearest(frame, *fit.casters, swept) - margin);
     }
     if (snaps) box = snapped(box, fit.snap_texels);
 

@@ -91,7 +91,7 @@ template <real T = float>
 
     const auto before = detail::seen(frame, detail::corners_of(lit));
     const detail::extent around = detail::extent_of(before);
-    const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
+    const glm::dvec3 size = detail::greater(glm::abs(around.low), glm::abs(around.high));
     if (!(around.high.z > closest)) return {};
     detail::require(is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function, "receivers",
                     "must lie nearer to the light");

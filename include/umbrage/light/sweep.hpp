@@ -149,7 +149,7 @@ template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
     const auto [low, high] = extent_of(seen);
     // casters that touch a side are within it, whichever way it was rounded
-    const double around = glm::max(outwards, 0x1p-32 * glm::max(high.x - low.x, high.y - low.y));
+    const double around = detail::greater(outwards, 0x1p-32 * detail::greater(high.x - low.x, high.y - low.y));
     std::vector<glm::dvec3> corners;
     corners.reserve(4 * seen.size());
     for (const glm::dvec3& p : seen)

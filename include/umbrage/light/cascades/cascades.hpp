@@ -174,7 +174,7 @@ template <std::size_t Count, real T>
                                                                 const std::array<T, Count + 1>& splits) {
     constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
     return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
-        const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
         return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
                                                 .up = glm::dvec3(fit.up),
                                                 .receivers = detail::receivers_of(part, scene),

@@ -69,8 +69,8 @@ template <real T>
 /// @return   infinite where camera and light look one way, and for receivers of no extent at the camera
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    const double least = glm::max(n, least_distance(v));
-    return v.sine > 0.0 && least > 0.0 ? least : std::numeric_limits<double>::infinity();
+    const double least = detail::greater(n, least_distance(v));
+    return v.sine > 0.0 && least > 0.0 ? least : detail::highest<double>;
 }
 
 /// Near the best on a ground.
@@ -81,7 +81,7 @@ template <real T>
 /// @formula   (x, y, z) / (1 + y / n) about `first`
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
-    const double bend = share_of_warp(v.sine) / glm::max(n, least_distance(v));
+    const double bend = share_of_warp(v.sine) / detail::greater(n, least_distance(v));
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);

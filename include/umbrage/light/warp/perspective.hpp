@@ -63,8 +63,8 @@ template <real T>
         const double z = glm::dot(p - eye, ahead);
         least = lesser(least, z), greatest = greater(greatest, z);
     }
-    const double back = slide - glm::min(least, 0.0), z_near = least + back;
-    const double z_far = glm::max(greatest + back, z_near * (1.0 + 0x1p-8));
+    const double back = slide - detail::lesser(least, 0.0), z_near = least + back;
+    const double z_far = detail::greater(greatest + back, z_near * (1.0 + 0x1p-8));
     require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers", "must lie nearer to the camera");
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");

@@ -147,7 +147,7 @@ template <real T>
 [[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
                                                    const polyhedron& casters, const char* function) {
     std::vector<glm::dvec3> receivers;
-    double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
+    double least_w = detail::highest<double>, greatest_w = 0.0;
     for (const glm::dvec3& p : corners_of(*fit.receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
