@@ -1,13 +1,16 @@
 // umbrage 0.1.0, MIT License. Types of umbrage.mjs.
 
+/** How exactly a text and the C++ functions of its names agree: a to the bit, b to the bit in written order and
+ *  elsewhere within n 2^-23 S (n is `operations`, S the formula with magnitudes), c within that bound or `within`. */
+export type Exactness = 'a' | 'b' | 'c';
+
 /** One function, as text, and what is known of it. */
 export interface Snippet {
     readonly name: string;
     readonly summary: string;
-    /** How exactly it agrees with the C++ function of its name: a everywhere, b in written order, c within ulp, or a
-     *  distance. */
-    readonly exactness: 'a' | 'b' | 'c';
-    readonly ulp: number;
+    /** The worst tier of what it holds and needs, unbound. */
+    readonly exactness: Exactness;
+    readonly operations: number;
     readonly within: number;
     readonly lowest: '100' | '300 es';
     readonly needs: readonly Snippet[];
@@ -41,6 +44,17 @@ export interface Binding {
     needs?: readonly Snippet[];
 }
 
+/** A map of texels in an encoding, and how they come about: without blending, of one sample, in a target that is not sRGB. */
+export interface Encoding extends Readonly<Binding> {
+    /** What makes a texel of a depth. */
+    readonly write: Snippet;
+    /** What it returns: a depth for a float target; bytes, 0 to 255, of which to_unorm makes values; values for a UNORM
+     *  target. */
+    readonly writes: 'depth' | 'bytes' | 'values';
+    /** What the target is cleared to: where nothing is drawn all is lit. Channels that the texel lacks are 0. */
+    readonly cleared: readonly [number, number, number, number];
+}
+
 export interface Bound {
     readonly what: Snippet;
     readonly suffix: string;
@@ -52,22 +66,30 @@ export type Version =
 export interface Language {
     text(items: readonly (Snippet | Bound)[]): string;
 }
+/** GLSL, whose texts may be for one version. */
+export interface VersionedLanguage {
+    text(items: readonly (Snippet | Bound)[], version?: Version): string;
+}
 
 export const versions: readonly Version[];
 export const snippets: Readonly<Record<string, Snippet>>;
 /** The maps that texels of the library's encodings make. */
-export const encodings: Readonly<Record<string, Binding>>;
+export const encodings: Readonly<Record<'depth32f' | 'rg9' | 'rg10' | 'rg11' | 'rg12' | 'rg13' | 'rg14' | 'rg15' | 'rg16' | 'rgb24' | 'float_bits' | 'threejs_rgba' | 'threejs_rgb' | 'threejs_rg' | 'threejs_legacy' | 'threejs_legacy_repaired' | 'base255' | 'base255_repaired', Encoding & { readonly reversed: Encoding }>>;
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export function bind(what: Snippet, name: string, map?: Binding): Bound;
 /** True when the snippet, or the snippet bound to its map, compiles in a dialect of GLSL. */
 export function supports(item: Snippet | Bound, version: Version): boolean;
+/** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
+ *  binding says in the shader's own language has no tier. */
+export function exactness(items: readonly (Snippet | Bound)[]): Exactness;
 /** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
 export function source(version: Version, items: readonly (Snippet | Bound)[], preamble?: string): string;
-/** A GLSL text of the snippets and all they need, to paste into any shader. */
-export function text(items: readonly (Snippet | Bound)[]): string;
+/** A GLSL text of the snippets and all they need, to paste into any shader; or into one of the version, for engines whose
+ *  preprocessors do not know __VERSION__. */
+export function text(items: readonly (Snippet | Bound)[], version?: Version): string;
 
-export const glsl: Language;
+export const glsl: VersionedLanguage;
 export const hlsl: Language;
 export const msl: Language;
 export const wgsl: Language;

@@ -6,13 +6,61 @@
 //
 // Written by the C++ library's build, with which every text agrees to the character; the data stand at the end.
 
-const is_of_map = s => s.role !== 'none' || s.needs.some(is_of_map);
+const calls = (s, roles) => roles(s.role) || s.needs.some(need => calls(need, roles));
+const is_of_map = s => calls(s, role => role !== 'none');
+const reads_map = s => calls(s, role => ['texel', 'fetch_depth', 'lit', 'lit_2x2', 'gather_lit', 'lit_filtered', 'lit_at',
+    'depth_at'].includes(role));
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
-export function bind(what, name, map = {}) {
-    if (name !== '' && !/^[A-Za-z0-9]+(_[A-Za-z0-9]+)*$/.test(name))
-        throw new Error(`umbrage: bind: name is not a part of an identifier: ${name}`);
-    return { what, suffix: name === '' ? '' : `_${name}`, map: complete(map), by_macros: false };
+export function bind(what, name, ...rest) {
+    const map = complete(rest.length ? rest[0] : {});
+    must(is_snippet(what), 'what must be a snippet', what);
+    must(typeof name === 'string', 'name must be a string', name);
+    must(name === '' || /^[A-Za-z0-9]+(_[A-Za-z0-9]+)*$/.test(name),
+        'name must be letters, digits and single underscores between them', name);
+    check(what, map);
+    return { what, suffix: name === '' ? '' : `_${name}`, map, by_macros: false };
+}
+
+function must(holds, condition, got) {
+    if (!holds) throw new Error(`umbrage: bind: ${condition}; got ${got === '' ? '""' : got}`);
+}
+
+/** Refuses what does not compile, whatever the language. */
+function check(what, map) {
+    const one_channel = compares(map) || map.texture === 'depth' || map.texture === 'depth_array';
+    must([1, 2, 3, 4].includes(map.channels), 'map.channels must be 1 to 4', map.channels);
+    must(!one_channel || map.channels === 1, 'map.channels must be 1 for a depth texture', map.channels);
+    must(!compares(map) || map.depth === '', 'map.depth must be empty for a comparison sampler', map.depth);
+    for (const key of ['depth', 'origin', 'texture_size', 'texel'])
+        must(map[key] === '' || is_expression(map[key]), `map.${key} must be one expression on one line`, map[key]);
+    must(map.parameters === '' || is_expression(map.parameters), 'map.parameters must be parameters on one line',
+        map.parameters);
+    must(map.arguments === '' || is_expression(map.arguments), 'map.arguments must be expressions on one line',
+        map.arguments);
+    for (const need of map.needs) must(!reads_map(need), 'map.needs must be snippets that read no map', need.name);
+    check_hooks(what, what, map);
+}
+
+/** Every hook that the snippet calls is one that the map can have. */
+function check_hooks(what, asked, map) {
+    must(!compares(map) || !['texel', 'fetch_depth'].includes(asked.role),
+        'what must be a snippet that reads no depths, as a comparison sampler gives none', what.name);
+    must(asked.role !== 'gather_lit' || gathers(map),
+        'map.gather must be false where texels of cubes or whole numbers are gathered', true);
+    must(asked.role !== 'gather_lit' || map.channels <= 2, 'map.channels must be 1 or 2 where texels are gathered',
+        map.channels);
+    for (const need of chosen(asked, map).needs) check_hooks(what, need, map);
+}
+
+/** Whether a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement. */
+function is_expression(text) {
+    if (!/^[ -~]*[!-~][ -~]*$/.test(text) || /[;#\\"'`]|\/\/|\/\*/.test(text)) return false;
+    const closing = [], pair = { '(': ')', '[': ']', '{': '}' };
+    for (const c of text)
+        if (c in pair) closing.push(pair[c]);
+        else if (')]}'.includes(c) && closing.pop() !== c) return false;
+    return closing.length === 0;
 }
 
 const defaults = {
@@ -24,18 +72,28 @@ const choices = {
     direction: ['forward', 'reversed'],
 };
 
+const of_encodings = ['write', 'writes', 'cleared', 'reversed'];  // what they have beside a map's properties
+
 function complete(map) {
+    must(typeof map === 'object' && map !== null, 'map must be an object',
+        `${map}. Is it of a name that encodings does not have?`);
+    const all = { ...defaults };
     for (const [key, value] of Object.entries(map)) {
-        if (!(key in defaults)) throw new Error(`umbrage: bind: no such property: ${key}`);
-        if (typeof value !== typeof defaults[key] || (key in choices && !choices[key].includes(value)))
-            throw new Error(`umbrage: bind: ${key} cannot be ${value}`);
+        if (of_encodings.includes(key)) continue;
+        must(key in defaults, `map must have no properties but ${Object.keys(defaults).join(', ')}`, key);
+        if (key in choices) must(choices[key].includes(value), `map.${key} must be one of ${choices[key].join(', ')}`, value);
+        must(typeof value === typeof defaults[key], `map.${key} must be a ${typeof defaults[key]}`, value);
+        all[key] = value;
     }
-    return { ...defaults, ...map };
+    must(Array.isArray(all.needs) && all.needs.every(is_snippet), 'map.needs must be snippets', all.needs);
+    return all;
 }
+
+const is_snippet = what => what !== undefined && what !== null && snippets[what.name] === what;
 
 function as_bound(item) {
     const what = item?.what ?? item;
-    if (!what || snippets[what.name] !== what) throw new Error(`umbrage: not a snippet: ${item}`);
+    if (!is_snippet(what)) throw new Error(`umbrage: text: items must be snippets, bound or not; got ${item}`);
     return item === what ? { what, suffix: '', map: { ...defaults }, by_macros: true } : item;
 }
 
@@ -54,7 +112,6 @@ function chosen(s, map) {
         case 'before_far': return scaled ? s : hooks[`before_far, ${map.direction}`];
         case 'texel':
         case 'fetch_depth':
-            if (compares(map)) throw new Error('umbrage: bind: a comparison sampler compares, it gives no depths');
             if (s.role === 'texel') return hooks.texel;
             return hooks[map.outside_lit ? 'fetch_depth, bordered' : 'fetch_depth, clamped'];
         case 'lit': return compares(map) ? hooks[map.outside_lit ? 'lit, bordered' : 'lit, clamped'] : s;
@@ -63,10 +120,7 @@ function chosen(s, map) {
             if (map.outside_lit) return hooks['lit_2x2, gathered and bordered'];
             return hooks[has_region(map) ? 'lit_2x2, gathered in a region' : 'lit_2x2, gathered'];
         case 'gather_lit':
-            if (!gathers(map))
-                throw new Error('umbrage: bind: no gather from a cube or from whole numbers');
             if (compares(map)) return hooks['gather_lit, compared'];
-            if (map.channels > 2) throw new Error('umbrage: bind: a gather of more than two channels');
             return hooks[map.channels === 2 ? 'gather_lit, two channels' : 'gather_lit, one channel'];
         case 'lit_filtered':
             return compares(map) ? hooks[`${s.role}, ${map.outside_lit ? 'bordered' : 'clamped'}`] : s;
@@ -88,6 +142,24 @@ function replace_words(text, replacement) {
     });
 }
 
+const words_of = text => text.replace(/\/\/.*/g, '').match(/\w+/g) ?? [];
+
+/** A list's members: what commas part, but for those in brackets. */
+function members(list) {
+    const all = [''];
+    let open = 0;
+    for (const c of list) {
+        if ('([{<'.includes(c)) ++open;
+        if (')]}>'.includes(c)) --open;
+        if (c === ',' && open <= 0) all.push('');
+        else all[all.length - 1] += c;
+    }
+    return all;
+}
+
+/** The names that parameters declare. */
+const declared = parameters => members(parameters).map(p => words_of(p.replace(/\[.*|(?<!:):(?!:).*/, '')).at(-1));
+
 /** A snippet's text with what a map fills in. */
 function for_map(text, s, item, words) {
     const { map } = item;
@@ -98,10 +170,25 @@ function for_map(text, s, item, words) {
     if (origin === '') text = text.replace(/\n.*UMBRAGE_ORIGIN.*/, '');
     const own_map = text.match(/UMBRAGE_MAP (\w+)/)?.[1] ?? 'map';
     text = text.replaceAll(`UMBRAGE_MAP ${own_map}`, 'UMBRAGE_PARAMETERS');
-    const list = (own, ordinary, sampler) => {
-        const all = own || (map.gather ? ordinary.replace(/^[^,]*/, first => first + sampler) : ordinary);
-        return replace_words(all, word => word === 'map' ? own_map : word);
+    const with_sampler = (ordinary, sampler) => map.gather ? ordinary.replace(/^[^,]*/, first => first + sampler) : ordinary;
+    const ordinary = with_sampler(words.arguments, words.sampler_argument);
+    const parameters = map.parameters || with_sampler(words.parameters, words.sampler);
+    const all_arguments = map.arguments || ordinary;
+    must(members(parameters).length === members(all_arguments).length, 'map.arguments must be as many as map.parameters',
+        `"${all_arguments}" for "${parameters}"`);
+    const names = declared(parameters);
+    if (map.parameters !== '')
+        for (const word of words_of(text))
+            must(word === own_map || !names.includes(word),
+                `map.parameters must be named otherwise than what umbrage_${s.name} names`, word);
+    // A language's own words, whose arguments the map's own parameters declare too.
+    const ours = expression => {
+        for (const word of words_of(expression))
+            must(!words_of(ordinary).includes(word) || names.includes(word), `map.parameters must declare ${word}`, parameters);
+        return expression;
     };
+    if (map.arguments === '') ours(all_arguments);
+    const list = all => replace_words(all, word => word === 'map' ? own_map : word);
 
     const suffixed = word => {
         const name = word.slice(8), is_it = own => own.name === name && is_of_map(own);
@@ -111,24 +198,24 @@ function for_map(text, s, item, words) {
         if (word.startsWith('umbrage_')) return suffixed(word);
         if (word === 'at' && origin === '') return 'texel';
         if (word !== 'UMBRAGE_TEXTURE_SIZE') return word;
-        if (texture_size === '') throw new Error('umbrage: bind: this language needs texture_size');
+        must(texture_size !== '', "map.texture_size must be given for a region that this language's sampler reads", '');
         return texture_size;
     });
     return replace_words(text, (word, comment) => {
         if (word.startsWith('umbrage_')) return suffixed(word);
-        if (word === own_map && !comment) return list(map.arguments, words.arguments, words.sampler_argument);
+        if (word === own_map && !comment) return list(all_arguments);
         switch (word) {
-            case 'UMBRAGE_PARAMETERS': return list(map.parameters, words.parameters, words.sampler);
+            case 'UMBRAGE_PARAMETERS': return list(parameters);
             case 'UMBRAGE_DEPTH': return of_texture(map.depth || 'value.x');
             case 'UMBRAGE_ORIGIN': return origin;
-            case 'UMBRAGE_TEXEL': return of_texture(texel);
-            case 'UMBRAGE_LIT_TEXEL': return of_texture(words.lit);
-            case 'UMBRAGE_GATHER_RED': return of_texture(words.gather_red);
-            case 'UMBRAGE_GATHER_GREEN': return of_texture(words.gather_green);
-            case 'UMBRAGE_GATHER_LIT': return of_texture(words.gather_lit);
+            case 'UMBRAGE_TEXEL': return of_texture(map.texel === '' ? ours(texel) : texel);
+            case 'UMBRAGE_LIT_TEXEL': return of_texture(ours(words.lit));
+            case 'UMBRAGE_GATHER_RED': return of_texture(ours(words.gather_red));
+            case 'UMBRAGE_GATHER_GREEN': return of_texture(ours(words.gather_green));
+            case 'UMBRAGE_GATHER_LIT': return of_texture(ours(words.gather_lit));
             case 'UMBRAGE_UV': return of_texture('at / UMBRAGE_TEXTURE_SIZE');
-            case 'UMBRAGE_SAMPLED': return of_texture(words.sampled);
-            case 'UMBRAGE_LIT_FILTERED': return of_texture(words.lit_filtered);
+            case 'UMBRAGE_SAMPLED': return of_texture(ours(words.sampled));
+            case 'UMBRAGE_LIT_FILTERED': return of_texture(ours(words.lit_filtered));
             default: return word;
         }
     });
@@ -184,40 +271,64 @@ const same = (a, b) => Object.keys(defaults).every(
     key => key === 'needs' ? a.needs.length === b.needs.length && a.needs.every((need, i) => need === b.needs[i])
         : a[key] === b[key]);
 
-/** The snippets and all they need, each once. */
-function compose(language, items) {
+/** The items, each with its map: those of a shader's one map share one. */
+function with_maps(items) {
     items = items.map(as_bound);
     const one = { ...defaults, needs: items.filter(i => i.by_macros && i.what.scaled).map(i => i.what) };
     items = items.map(i => i.by_macros ? { ...i, map: one } : i);
     for (const item of items)
-        if (!item.by_macros && items.some(other => other.suffix === item.suffix && !same(other.map, item.map)
-            && (!other.by_macros || is_of_map(other.what))))
-            throw new Error(`umbrage: text: two maps have one name: ${item.suffix.slice(1)}`);
+        if (!item.by_macros && items.some(other => other.suffix === item.suffix
+            && (other.by_macros ? is_of_map(other.what) : !same(other.map, item.map))))
+            throw new Error(`umbrage: text: name must be another for each map; got "${item.suffix.slice(1)}" for two`);
+    return items;
+}
 
-    const names = [...new Set(items.map(item => item.what.name + item.suffix))];
-    let text = `// umbrage 0.1.0, MIT License${names.length ? ': ' : ''}${names.join(', ')}\n${language.prelude}`;
-    if (language.macros && one.needs.length) text += language.scaled_macro;
-    const done = new Set();
+/** What a text of the items holds, in order and each once: calls use(snippet, item, guard, whether a map fills it in). */
+function for_each_part(language, items, use) {
+    const done = new Map(), scaled = hooks['beyond_far, scaled'];
     const add = (asked, item, of_map) => {
         const by_macros = language.macros && item.by_macros;
         const s = by_macros ? asked : chosen(asked, item.map);
         for (const need of s.needs) add(need, item, of_map);
         if (is_of_map(s) !== of_map) return;
-        const guard = `UMBRAGE_HAS_${s.name}${of_map ? item.suffix : ''}`.toUpperCase();
-        if (done.has(guard)) return;
-        done.add(guard);
-        const body = language.texts[s.id];
-        if (language.preprocessor) text += `\n#ifndef ${guard}\n#define ${guard}`;
-        text += of_map && !by_macros ? laid_out(for_map(body, s, item, language.textures[item.map.texture])) : body;
-        if (language.preprocessor) text += '#endif\n';
+        const suffix = of_map ? item.suffix : '', part = { what: s.name, suffix };
+        const guard = `UMBRAGE_HAS_${s.name}${suffix}`.toUpperCase(), before = done.get(guard);
+        if (before?.what === s.name && before.suffix === suffix) return;
+        if (before)
+            throw new Error('umbrage: text: names must keep functions apart, in capitals too; got '
+                + `umbrage_${before.what}${before.suffix} and umbrage_${s.name}${suffix}`);
+        done.set(guard, part);
+        use(s, item, guard, of_map && !by_macros);
     };
     for (const of_map of [false, true])
         for (const item of items) {
+            if (of_map && language.macros && item.by_macros && chosen(snippets.beyond_far, item.map) === scaled)
+                add(scaled, item, of_map);
             for (const need of item.map.needs) add(need, item, of_map);
             for (const need of language.textures[item.map.texture].needs) add(snippets[need], item, of_map);
             add(item.what, item, of_map);
         }
+}
+
+/** The snippets and all they need, each once. */
+function compose(language, items) {
+    items = with_maps(items);
+    const names = [...new Set(items.map(item => item.what.name + item.suffix))];
+    let text = `// umbrage 0.1.0, MIT License${names.length ? ': ' : ''}${names.join(', ')}\n${language.prelude}`;
+    for_each_part(language, items, (s, item, guard, filled_in) => {
+        const body = language.texts[s.id];
+        if (language.preprocessor) text += `\n#ifndef ${guard}\n#define ${guard}`;
+        text += filled_in ? laid_out(for_map(body, s, item, language.textures[item.map.texture])) : body;
+        if (language.preprocessor) text += '#endif\n';
+    });
     return text;
+}
+
+/** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
+export function exactness(items) {
+    let worst = 'a';
+    for_each_part(languages.glsl, with_maps(items), s => { worst = s.exactness > worst ? s.exactness : worst; });
+    return worst;
 }
 
 const es3 = ['300 es', '310 es', '320 es', '330', '430', '450', '460'];
@@ -235,22 +346,48 @@ export function supports(item, version) {
     return ['texture_2d', 'depth', 'atlas', 'cube', 'cube_faces'].includes(map.texture) || es3.includes(version);
 }
 
-/** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
-export function source(version, items, preamble = '') {
-    if (!versions.includes(version)) throw new Error(`umbrage: source: no such version: ${version}`);
+/** The text with what __VERSION__ decides decided. */
+function resolved(text, number) {
+    const open = [];  // 'kept': directive and all
+    let out = '';
+    for (const line of text.match(/.*\n/g)) {
+        let shown = true;
+        const least = line.match(/^#if __VERSION__ >= (\d+)/)?.[1];
+        if (least) {
+            open.push(number >= least ? 'taken' : 'left out');
+            shown = false;
+        } else if (line.startsWith('#if')) open.push('kept');
+        else if (line.startsWith('#else') && open.at(-1) !== 'kept') {
+            open.push(open.pop() === 'taken' ? 'left out' : 'taken');
+            shown = false;
+        } else if (line.startsWith('#endif')) shown = open.pop() === 'kept';
+        if (shown && !open.includes('left out')) out += line;
+    }
+    return out;
+}
+
+/** A GLSL text of the snippets and all they need, to paste into any shader, or into one of the version. */
+export function text(items, version) {
+    if (version === undefined) return compose(languages.glsl, items);
+    if (!versions.includes(version)) throw new Error(`umbrage: text: version must be one of versions; got ${version}`);
     for (const item of items)
         if (!supports(item, version)) {
             const { what, suffix } = as_bound(item);
-            throw new Error(`umbrage: source: GLSL ${version} is too old for ${what.name}${suffix}`);
+            throw new Error(`umbrage: text: version must be one that has ${what.name}${suffix}; got ${version}`);
         }
-    if (preamble !== '' && !preamble.endsWith('\n')) preamble += '\n';
-    return `#version ${version}\n${preamble}${glsl.text(items)}`;
+    const number = parseInt(version), es = version === '100' || version.endsWith('es');
+    const prelude = `\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP${es ? ' highp' : ''}\n#endif\n`
+        + `#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE${number >= (es ? 320 : 400) ? ' precise' : ''}\n#endif\n`;
+    return resolved(compose({ ...languages.glsl, prelude }, items), number);
 }
 
-/** A GLSL text of the snippets and all they need, to paste into any shader. */
-export const text = items => compose(languages.glsl, items);
+/** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
+export function source(version, items, preamble = '') {
+    if (preamble !== '' && !preamble.endsWith('\n')) preamble += '\n';
+    return `#version ${version}\n${preamble}${text(items, version)}`;
+}
 
-const in_language = name => ({ text: items => compose(languages[name], items) });
+const in_language = name => ({ text: name === 'glsl' ? text : items => compose(languages[name], items) });
 
 export const versions = ["100", "110", "120", "130", "150", "300 es", "310 es", "320 es", "330", "430", "450", "460"];
 
@@ -259,7 +396,6 @@ const languages = {
         prelude: "\n#ifndef UMBRAGE_HIGHP\n#ifdef GL_ES\n#define UMBRAGE_HIGHP highp\n#else\n#define UMBRAGE_HIGHP\n#endif\n#endif\n#ifndef UMBRAGE_PRECISE\n#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)\n#define UMBRAGE_PRECISE precise\n#else\n#define UMBRAGE_PRECISE\n#endif\n#endif\n",
         preprocessor: true,
         macros: true,
-        scaled_macro: "\n// depths here are on a scale of their own, on which 1.0 is not the far plane\n#ifndef UMBRAGE_BEYOND_FAR\n#define UMBRAGE_BEYOND_FAR(receiver) false\n#endif\n",
         textures: {
             texture_2d: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
             atlas: { parameters: "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin", arguments: "map, origin", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
@@ -633,12 +769,16 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 //   page, gutter  side of a page and what it has around it, texels
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
-    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    // not negative already; compilers cannot regroup sums across max and clamp
+    UMBRAGE_HIGHP vec2 sides = max(size - 2.0, vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 before = max(size - 3.0, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * sides - before), size - 1.0);
     UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // of a NaN the first
-    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, vec2(texel));
-    UMBRAGE_HIGHP vec2 slot = umbrage_from_unorm(vec2(entry.x, entry.y));
-    UMBRAGE_HIGHP float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    UMBRAGE_HIGHP vec2 at = fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
+    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, vec2(texel)));
+    UMBRAGE_HIGHP vec2 slot = vec2(entry.x, entry.y);
+    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec2 within = clamp(fract(coord * across), vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
     return vec4(at, slot * (page + gutter * 2.0));
 }
 `,
@@ -844,7 +984,7 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec3(high, middle, rest - middle * 256.0);
+    return vec3(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
 }
 `,
             "encode_float_bits": `
@@ -909,7 +1049,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
+    UMBRAGE_HIGHP float low = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    return v < 1.0 ? vec4(0.0, low, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
 `,
             "write_base255": `
@@ -1409,13 +1550,13 @@ UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
     UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
     UMBRAGE_HIGHP vec2 w2 = floor(r * k0 + s * k1);
     UMBRAGE_HIGHP vec2 w3 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w1 = whole - (w0 + w2 + w3);
+    UMBRAGE_HIGHP vec2 w1 = max(whole - (w0 + w2 + w3), vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 first = texel - 1.0;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
@@ -1441,7 +1582,7 @@ UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
@@ -1449,7 +1590,7 @@ UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     UMBRAGE_HIGHP vec2 w3 = floor(r * k1 + s * k2);
     UMBRAGE_HIGHP vec2 w4 = floor(r * k0 + s * k1);
     UMBRAGE_HIGHP vec2 w5 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
+    UMBRAGE_HIGHP vec2 w2 = max(whole - (w0 + w1 + w3 + w4 + w5), vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 first = texel - 2.0;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
@@ -1482,7 +1623,7 @@ UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
@@ -1492,7 +1633,7 @@ UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     UMBRAGE_HIGHP vec2 w5 = floor(r * k1 + s * k2);
     UMBRAGE_HIGHP vec2 w6 = floor(r * k0 + s * k1);
     UMBRAGE_HIGHP vec2 w7 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    UMBRAGE_HIGHP vec2 w3 = max(whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7), vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 first = texel - 3.0;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
@@ -1546,7 +1687,7 @@ UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP v
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
-    UMBRAGE_HIGHP vec2 within = at - texel;
+    UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
     UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
@@ -1695,11 +1836,11 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
-    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
+    UMBRAGE_HIGHP float visibility = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return compared ? visibility : 1.0;
 }
 `,
@@ -1779,11 +1920,12 @@ UMBRAGE_HIGHP float umbrage_tent2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
     UMBRAGE_HIGHP vec2 r = 256.0 - s;
     UMBRAGE_HIGHP vec2 w0 = r * 8.0;
     UMBRAGE_HIGHP vec2 w2 = s * 8.0;
-    UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
+    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
     UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
@@ -1813,11 +1955,12 @@ UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
     UMBRAGE_HIGHP vec2 r = 256.0 - s;
     UMBRAGE_HIGHP vec2 w0 = floor(r * r * (1.0 / 32.0));
     UMBRAGE_HIGHP vec2 w2 = floor(s * s * (1.0 / 32.0));
-    UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
+    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
     UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
@@ -1910,8 +2053,9 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
@@ -2514,7 +2658,7 @@ UMBRAGE_HIGHP vec2 umbrage_blockers_hardware32(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 8.0;
-    UMBRAGE_HIGHP float d = 8.0 - abs(u);
+    UMBRAGE_HIGHP float d = max(8.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 512.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
@@ -2525,7 +2669,7 @@ UMBRAGE_HIGHP float umbrage_hardened8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 16.0;
-    UMBRAGE_HIGHP float d = 16.0 - abs(u);
+    UMBRAGE_HIGHP float d = max(16.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 4096.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
@@ -2536,7 +2680,7 @@ UMBRAGE_HIGHP float umbrage_hardened16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGH
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened32(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 32.0;
-    UMBRAGE_HIGHP float d = 32.0 - abs(u);
+    UMBRAGE_HIGHP float d = max(32.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 32768.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
@@ -2558,7 +2702,7 @@ UMBRAGE_HIGHP float umbrage_dpcf8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     UMBRAGE_HIGHP float dark = umbrage_hardened8(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf16": `
@@ -2577,7 +2721,7 @@ UMBRAGE_HIGHP float umbrage_dpcf16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     UMBRAGE_HIGHP float dark = umbrage_hardened16(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf32": `
@@ -2596,7 +2740,7 @@ UMBRAGE_HIGHP float umbrage_dpcf32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     UMBRAGE_HIGHP float dark = umbrage_hardened32(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "box_moments": `
@@ -2613,16 +2757,17 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
     UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
     UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
     UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
-    low = low - carry * 65536.0;
-    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));  // or a compiler distributes
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, vec2(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
-    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP vec2 sides = max(end - first, vec2(1.0, 1.0));
     UMBRAGE_HIGHP float n = sides.x * sides.y;
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(sum, n);
-    UMBRAGE_HIGHP float rest = sum - mean * n;
+    UMBRAGE_HIGHP float rest = max(sum - mean * n, 0.0);
     UMBRAGE_HIGHP vec2 digits = vec2(sum + rest, low.y);
     UMBRAGE_HIGHP vec2 high = floor(digits * (1.0 / 4096.0));
-    digits = digits - high * 4096.0;
+    digits = max(digits - high * 4096.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float below = digits.y - mean * digits.x;
     UMBRAGE_HIGHP float borrow = floor(below * (1.0 / 4096.0));
     UMBRAGE_HIGHP float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
@@ -2809,7 +2954,7 @@ UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
 UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
-    UMBRAGE_HIGHP float f = x - n * 2048.0;
+    UMBRAGE_HIGHP float f = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
     UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
     UMBRAGE_HIGHP float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     UMBRAGE_HIGHP float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
@@ -3008,16 +3153,17 @@ UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_H
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
     UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
     UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
-    return sum * (1.0 / 65536.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 mean = low * lo.y + high * hi.y;
+    return mean;
 }
 `,
             "vsm": `
@@ -3652,7 +3798,6 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
         prelude: "",
         preprocessor: true,
         macros: false,
-        scaled_macro: "",
         textures: {
             texture_2d: { parameters: "Texture2D<float4> map", arguments: "map", texel: "map.Load(int3(int2(at), 0))", sampled: "map.SampleLevel(map_sampler, uv, 0.0)", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
             atlas: { parameters: "Texture2D<float4> map, float2 origin", arguments: "map, origin", texel: "map.Load(int3(int2(at), 0))", sampled: "map.SampleLevel(map_sampler, uv, 0.0)", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
@@ -4001,12 +4146,16 @@ float4 umbrage_from_unorm(float4 c) {
 //   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 float4 umbrage_page_coordinate(UMBRAGE_MAP table, float2 size, float2 coord, float page, float gutter) {
-    float2 cell = min(max(float2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    // not negative already; compilers cannot regroup sums across max and clamp
+    float2 sides = max(size - 2.0, float2(1.0, 1.0));
+    float2 before = max(size - 3.0, float2(0.0, 0.0));
+    float2 cell = min(max(float2(0.0, 0.0), coord * sides - before), size - 1.0);
     int2 texel = (int2)cell;  // of a NaN the first
-    float4 entry = umbrage_texel(table, size, (float2)texel);
-    float2 slot = umbrage_from_unorm(float2(entry.x, entry.y));
-    float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    float2 at = frac(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
+    float4 entry = umbrage_from_unorm(umbrage_texel(table, size, (float2)texel));
+    float2 slot = float2(entry.x, entry.y);
+    float across = entry.z + entry.w * 256.0;
+    float2 within = clamp(frac(coord * across), float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
     return float4(at, slot * (page + gutter * 2.0));
 }
 `,
@@ -4196,7 +4345,7 @@ float3 umbrage_encode_rgb24(float depth) {
     float high = floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = floor(rest * (1.0 / 256.0));
-    return float3(high, middle, rest - middle * 256.0);
+    return float3(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
 }
 `,
             "encode_float_bits": `
@@ -4261,7 +4410,8 @@ float4 umbrage_encode_threejs_legacy_repaired(float depth) {
     float high = floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = floor(rest * (1.0 / 256.0));
-    return v < 1.0 ? float4(0.0, rest - middle * 256.0, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
+    float low = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    return v < 1.0 ? float4(0.0, low, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
 }
 `,
             "write_base255": `
@@ -4708,13 +4858,13 @@ float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 s = floor(clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k0);
     float2 w0 = floor(r * k0);
     float2 w2 = floor(r * k0 + s * k1);
     float2 w3 = floor(s * k0);
-    float2 w1 = whole - (w0 + w2 + w3);
+    float2 w1 = max(whole - (w0 + w2 + w3), float2(0.0, 0.0));
     float2 first = texel - 1.0;
     float n = 0.0;
     float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
@@ -4739,7 +4889,7 @@ float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 s = floor(clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 w0 = floor(r * k0);
@@ -4747,7 +4897,7 @@ float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     float2 w3 = floor(r * k1 + s * k2);
     float2 w4 = floor(r * k0 + s * k1);
     float2 w5 = floor(s * k0);
-    float2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
+    float2 w2 = max(whole - (w0 + w1 + w3 + w4 + w5), float2(0.0, 0.0));
     float2 first = texel - 2.0;
     float n = 0.0;
     float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
@@ -4779,7 +4929,7 @@ float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 s = floor(clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     float2 w0 = floor(r * k0);
@@ -4789,7 +4939,7 @@ float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     float2 w5 = floor(r * k1 + s * k2);
     float2 w6 = floor(r * k0 + s * k1);
     float2 w7 = floor(s * k0);
-    float2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    float2 w3 = max(whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7), float2(0.0, 0.0));
     float2 first = texel - 3.0;
     float n = 0.0;
     float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
@@ -4842,7 +4992,7 @@ float2 umbrage_disc_turn(float2 pixel) {
 float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
-    float2 within = at - texel;
+    float2 within = clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
     float2 scaled = turn * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;
@@ -4984,11 +5134,11 @@ float umbrage_pcf_2x2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float4 lit = umbrage_lit_2x2(map, size, texel, receiver);
-    float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    float visibility = sum * (1.0 / 65536.0);
+    float visibility = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return compared ? visibility : 1.0;
 }
 `,
@@ -5064,11 +5214,12 @@ float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) 
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    float2 s = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
     float2 r = 256.0 - s;
     float2 w0 = r * 8.0;
     float2 w2 = s * 8.0;
-    float2 w1 = 4096.0 - w0 - w2;
+    float2 w1 = max(4096.0 - w0 - w2, float2(0.0, 0.0));
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);
@@ -5096,11 +5247,12 @@ float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coord, flo
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    float2 s = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
     float2 r = 256.0 - s;
     float2 w0 = floor(r * r * (1.0 / 32.0));
     float2 w2 = floor(s * s * (1.0 / 32.0));
-    float2 w1 = 4096.0 - w0 - w2;
+    float2 w1 = max(4096.0 - w0 - w2, float2(0.0, 0.0));
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);
@@ -5185,8 +5337,9 @@ float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float receiv
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float2 sum = umbrage_cube_lit(map, size, float3(texel, at.z), receiver) * (lo.x * lo.y);
     sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
     sum += umbrage_cube_lit(map, size, float3(texel + float2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
@@ -5755,7 +5908,7 @@ float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, f
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 float umbrage_hardened8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
-    float d = 8.0 - abs(u);
+    float d = max(8.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     float steep = 512.0 - d * d * d;
     float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
@@ -5766,7 +5919,7 @@ float umbrage_hardened8(float blocked, float ratio) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 float umbrage_hardened16(float blocked, float ratio) {
     float u = blocked * 2.0 - 16.0;
-    float d = 16.0 - abs(u);
+    float d = max(16.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     float steep = 4096.0 - d * d * d;
     float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
@@ -5777,7 +5930,7 @@ float umbrage_hardened16(float blocked, float ratio) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 float umbrage_hardened32(float blocked, float ratio) {
     float u = blocked * 2.0 - 32.0;
-    float d = 32.0 - abs(u);
+    float d = max(32.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     float steep = 32768.0 - d * d * d;
     float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
@@ -5797,7 +5950,7 @@ float umbrage_dpcf8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, 
     float radius = umbrage_penumbra(z - mean, softness);
     float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     float dark = umbrage_hardened8(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf16": `
@@ -5814,7 +5967,7 @@ float umbrage_dpcf16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver,
     float radius = umbrage_penumbra(z - mean, softness);
     float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     float dark = umbrage_hardened16(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf32": `
@@ -5831,7 +5984,7 @@ float umbrage_dpcf32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver,
     float radius = umbrage_penumbra(z - mean, softness);
     float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     float dark = umbrage_hardened32(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "box_moments": `
@@ -5847,16 +6000,17 @@ float4 umbrage_box_moments(UMBRAGE_MAP map, float2 size, float2 first, float2 en
     float2 low = float2(part.x, part.z);
     float2 carry = floor(low * (1.0 / 65536.0));
     float2 above = float2(part.y, part.w) + carry;
-    low = low - carry * 65536.0;
-    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));  // or a compiler distributes
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, float2(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));
     float sum = above.x * 65536.0 + low.x;
-    float2 sides = end - first;
+    float2 sides = max(end - first, float2(1.0, 1.0));
     float n = sides.x * sides.y;
     float mean = umbrage_floor_divide(sum, n);
-    float rest = sum - mean * n;
+    float rest = max(sum - mean * n, 0.0);
     float2 digits = float2(sum + rest, low.y);
     float2 high = floor(digits * (1.0 / 4096.0));
-    digits = digits - high * 4096.0;
+    digits = max(digits - high * 4096.0, float2(0.0, 0.0));
     float below = digits.y - mean * digits.x;
     float borrow = floor(below * (1.0 / 4096.0));
     float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
@@ -6021,7 +6175,7 @@ float umbrage_exp2_polynomial(float y) {
 float umbrage_exp2_steps(float y) {
     float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     float n = floor(x * (1.0 / 2048.0));
-    float f = x - n * 2048.0;
+    float f = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
     float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
     float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
@@ -6214,16 +6368,17 @@ float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
 float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
     float2 x = floor(coord * 256.0) - 128.0;
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
     float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
     precise float4 low = a * lo.x + b * hi.x;
     precise float4 high = c * lo.x + d * hi.x;
-    precise float4 sum = low * lo.y + high * hi.y;
-    return sum * (1.0 / 65536.0);
+    precise float4 mean = low * lo.y + high * hi.y;
+    return mean;
 }
 `,
             "vsm": `
@@ -6810,7 +6965,6 @@ float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
         prelude: "\n#include <metal_stdlib>\n#pragma METAL fp math_mode(safe)\n#pragma METAL fp contract(off)\n",
         preprocessor: true,
         macros: false,
-        scaled_macro: "",
         textures: {
             texture_2d: { parameters: "metal::texture2d<float> map", arguments: "map", texel: "map.read(uint2(at))", sampled: "map.sample(map_sampler, uv, metal::level(0.0))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
             atlas: { parameters: "metal::texture2d<float> map, float2 origin", arguments: "map, origin", texel: "map.read(uint2(at))", sampled: "map.sample(map_sampler, uv, metal::level(0.0))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
@@ -7159,12 +7313,16 @@ inline float4 umbrage_from_unorm(float4 c) {
 //   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 inline float4 umbrage_page_coordinate(UMBRAGE_MAP table, float2 size, float2 coord, float page, float gutter) {
-    float2 cell = metal::min(metal::max(float2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    // not negative already; compilers cannot regroup sums across max and clamp
+    float2 sides = metal::max(size - 2.0, float2(1.0, 1.0));
+    float2 before = metal::max(size - 3.0, float2(0.0, 0.0));
+    float2 cell = metal::min(metal::max(float2(0.0, 0.0), coord * sides - before), size - 1.0);
     int2 texel = int2(cell);  // of a NaN the first
-    float4 entry = umbrage_texel(table, size, float2(texel));
-    float2 slot = umbrage_from_unorm(float2(entry.x, entry.y));
-    float across = metal::floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    float2 at = metal::fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
+    float4 entry = umbrage_from_unorm(umbrage_texel(table, size, float2(texel)));
+    float2 slot = float2(entry.x, entry.y);
+    float across = entry.z + entry.w * 256.0;
+    float2 within = metal::clamp(metal::fract(coord * across), float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
     return float4(at, slot * (page + gutter * 2.0));
 }
 `,
@@ -7354,7 +7512,7 @@ inline float3 umbrage_encode_rgb24(float depth) {
     float high = metal::floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = metal::floor(rest * (1.0 / 256.0));
-    return float3(high, middle, rest - middle * 256.0);
+    return float3(high, middle, metal::min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
 }
 `,
             "encode_float_bits": `
@@ -7419,7 +7577,8 @@ inline float4 umbrage_encode_threejs_legacy_repaired(float depth) {
     float high = metal::floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = metal::floor(rest * (1.0 / 256.0));
-    return v < 1.0 ? float4(0.0, rest - middle * 256.0, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
+    float low = metal::min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    return v < 1.0 ? float4(0.0, low, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
 }
 `,
             "write_base255": `
@@ -7867,13 +8026,13 @@ inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, flo
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 s = metal::floor(metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k0);
     float2 w0 = metal::floor(r * k0);
     float2 w2 = metal::floor(r * k0 + s * k1);
     float2 w3 = metal::floor(s * k0);
-    float2 w1 = whole - (w0 + w2 + w3);
+    float2 w1 = metal::max(whole - (w0 + w2 + w3), float2(0.0, 0.0));
     float2 first = texel - 1.0;
     float n = 0.0;
     float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
@@ -7898,7 +8057,7 @@ inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, flo
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 s = metal::floor(metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 w0 = metal::floor(r * k0);
@@ -7906,7 +8065,7 @@ inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, flo
     float2 w3 = metal::floor(r * k1 + s * k2);
     float2 w4 = metal::floor(r * k0 + s * k1);
     float2 w5 = metal::floor(s * k0);
-    float2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
+    float2 w2 = metal::max(whole - (w0 + w1 + w3 + w4 + w5), float2(0.0, 0.0));
     float2 first = texel - 2.0;
     float n = 0.0;
     float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
@@ -7938,7 +8097,7 @@ inline float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, flo
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 s = metal::floor(metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     float2 w0 = metal::floor(r * k0);
@@ -7948,7 +8107,7 @@ inline float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, flo
     float2 w5 = metal::floor(r * k1 + s * k2);
     float2 w6 = metal::floor(r * k0 + s * k1);
     float2 w7 = metal::floor(s * k0);
-    float2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    float2 w3 = metal::max(whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7), float2(0.0, 0.0));
     float2 first = texel - 3.0;
     float n = 0.0;
     float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
@@ -8001,7 +8160,7 @@ inline float2 umbrage_disc_turn(float2 pixel) {
 inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = metal::floor(at);
-    float2 within = at - texel;
+    float2 within = metal::clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
     float2 scaled = turn * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;
@@ -8143,11 +8302,11 @@ inline float umbrage_pcf_2x2(UMBRAGE_MAP map, float2 size, float2 coord, float r
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float4 lit = umbrage_lit_2x2(map, size, texel, receiver);
-    float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    float visibility = sum * (1.0 / 65536.0);
+    float visibility = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return compared ? visibility : 1.0;
 }
 `,
@@ -8223,11 +8382,12 @@ inline float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    float2 s = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
     float2 r = 256.0 - s;
     float2 w0 = r * 8.0;
     float2 w2 = s * 8.0;
-    float2 w1 = 4096.0 - w0 - w2;
+    float2 w1 = metal::max(4096.0 - w0 - w2, float2(0.0, 0.0));
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);
@@ -8255,11 +8415,12 @@ inline float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coo
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    float2 s = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
     float2 r = 256.0 - s;
     float2 w0 = metal::floor(r * r * (1.0 / 32.0));
     float2 w2 = metal::floor(s * s * (1.0 / 32.0));
-    float2 w1 = 4096.0 - w0 - w2;
+    float2 w1 = metal::max(4096.0 - w0 - w2, float2(0.0, 0.0));
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);
@@ -8344,8 +8505,9 @@ inline float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float2 sum = umbrage_cube_lit(map, size, float3(texel, at.z), receiver) * (lo.x * lo.y);
     sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
     sum += umbrage_cube_lit(map, size, float3(texel + float2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
@@ -8922,7 +9084,7 @@ inline float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 c
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 inline float umbrage_hardened8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
-    float d = 8.0 - metal::abs(u);
+    float d = metal::max(8.0 - metal::abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     float steep = 512.0 - d * d * d;
     float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
@@ -8933,7 +9095,7 @@ inline float umbrage_hardened8(float blocked, float ratio) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 inline float umbrage_hardened16(float blocked, float ratio) {
     float u = blocked * 2.0 - 16.0;
-    float d = 16.0 - metal::abs(u);
+    float d = metal::max(16.0 - metal::abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     float steep = 4096.0 - d * d * d;
     float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
@@ -8944,7 +9106,7 @@ inline float umbrage_hardened16(float blocked, float ratio) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 inline float umbrage_hardened32(float blocked, float ratio) {
     float u = blocked * 2.0 - 32.0;
-    float d = 32.0 - metal::abs(u);
+    float d = metal::max(32.0 - metal::abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     float steep = 32768.0 - d * d * d;
     float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
@@ -8964,7 +9126,7 @@ inline float umbrage_dpcf8(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     float radius = umbrage_penumbra(z - mean, softness);
     float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
     float dark = umbrage_hardened8(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? metal::clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf16": `
@@ -8981,7 +9143,7 @@ inline float umbrage_dpcf16(UMBRAGE_MAP map, float2 size, float2 coord, float re
     float radius = umbrage_penumbra(z - mean, softness);
     float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
     float dark = umbrage_hardened16(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? metal::clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf32": `
@@ -8998,7 +9160,7 @@ inline float umbrage_dpcf32(UMBRAGE_MAP map, float2 size, float2 coord, float re
     float radius = umbrage_penumbra(z - mean, softness);
     float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
     float dark = umbrage_hardened32(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? metal::clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "box_moments": `
@@ -9014,16 +9176,17 @@ inline float4 umbrage_box_moments(UMBRAGE_MAP map, float2 size, float2 first, fl
     float2 low = float2(part.x, part.z);
     float2 carry = metal::floor(low * (1.0 / 65536.0));
     float2 above = float2(part.y, part.w) + carry;
-    low = low - carry * 65536.0;
-    above = metal::max(above - metal::floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));  // or a compiler distributes
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = metal::max(low - carry * 65536.0, float2(0.0, 0.0));
+    above = metal::max(above - metal::floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));
     float sum = above.x * 65536.0 + low.x;
-    float2 sides = end - first;
+    float2 sides = metal::max(end - first, float2(1.0, 1.0));
     float n = sides.x * sides.y;
     float mean = umbrage_floor_divide(sum, n);
-    float rest = sum - mean * n;
+    float rest = metal::max(sum - mean * n, 0.0);
     float2 digits = float2(sum + rest, low.y);
     float2 high = metal::floor(digits * (1.0 / 4096.0));
-    digits = digits - high * 4096.0;
+    digits = metal::max(digits - high * 4096.0, float2(0.0, 0.0));
     float below = digits.y - mean * digits.x;
     float borrow = metal::floor(below * (1.0 / 4096.0));
     float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
@@ -9190,7 +9353,7 @@ inline float umbrage_exp2_polynomial(float y) {
 inline float umbrage_exp2_steps(float y) {
     float x = metal::floor((y > -64.0 ? metal::min(y, 63.0) : -64.0) * 2048.0);
     float n = metal::floor(x * (1.0 / 2048.0));
-    float f = x - n * 2048.0;
+    float f = metal::max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
     float g = metal::floor(f * (2048.0 - f) * (1.0 / 256.0));
     float r = 1251.0 + metal::floor(f * 314.0 * (1.0 / 2048.0));
     float m = 2048.0 + f - metal::floor((g * r + 16384.0) * (1.0 / 32768.0));
@@ -9383,16 +9546,17 @@ inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias)
 inline float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
     float2 x = metal::floor(coord * 256.0) - 128.0;
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
     float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
     float4 low = a * lo.x + b * hi.x;
     float4 high = c * lo.x + d * hi.x;
-    float4 sum = low * lo.y + high * hi.y;
-    return sum * (1.0 / 65536.0);
+    float4 mean = low * lo.y + high * hi.y;
+    return mean;
 }
 `,
             "vsm": `
@@ -9983,7 +10147,6 @@ inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
         prelude: "",
         preprocessor: false,
         macros: false,
-        scaled_macro: "",
         textures: {
             texture_2d: { parameters: "map: texture_2d<f32>", arguments: "map", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
             atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
@@ -10331,12 +10494,16 @@ fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
 //   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 fn umbrage_page_coordinate(UMBRAGE_MAP table, size: vec2f, coord: vec2f, page: f32, gutter: f32) -> vec4f {
-    let cell: vec2f = min(max(vec2f(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    // not negative already; compilers cannot regroup sums across max and clamp
+    let sides: vec2f = max(size - 2.0, vec2f(1.0, 1.0));
+    let before: vec2f = max(size - 3.0, vec2f(0.0, 0.0));
+    let cell: vec2f = min(max(vec2f(0.0, 0.0), coord * sides - before), size - 1.0);
     let texel: vec2i = vec2i(cell);  // of a NaN the first
-    let entry: vec4f = umbrage_texel(table, size, vec2f(texel));
-    let slot: vec2f = umbrage_from_unorm_vec2f(vec2f(entry.x, entry.y));
-    let across: f32 = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    let at: vec2f = fract(coord * across) * page + select(32768.0, gutter, across > 0.0);
+    let entry: vec4f = umbrage_from_unorm_vec4f(umbrage_texel(table, size, vec2f(texel)));
+    let slot: vec2f = vec2f(entry.x, entry.y);
+    let across: f32 = entry.z + entry.w * 256.0;
+    let within: vec2f = clamp(fract(coord * across), vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let at: vec2f = within * page + select(32768.0, gutter, across > 0.0);
     return vec4f(at, slot * (page + gutter * 2.0));
 }
 `,
@@ -10526,7 +10693,7 @@ fn umbrage_encode_rgb24(depth: f32) -> vec3f {
     let high: f32 = floor(x * (1.0 / 65536.0));
     let rest: f32 = x - high * 65536.0;
     let middle: f32 = floor(rest * (1.0 / 256.0));
-    return vec3f(high, middle, rest - middle * 256.0);
+    return vec3f(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
 }
 `,
             "encode_float_bits": `
@@ -10591,7 +10758,8 @@ fn umbrage_encode_threejs_legacy_repaired(depth: f32) -> vec4f {
     let high: f32 = floor(x * (1.0 / 65536.0));
     let rest: f32 = x - high * 65536.0;
     let middle: f32 = floor(rest * (1.0 / 256.0));
-    return select(vec4f(255.0, 255.0, 255.0, 255.0), vec4f(0.0, rest - middle * 256.0, middle, high), v < 1.0);
+    let low: f32 = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    return select(vec4f(255.0, 255.0, 255.0, 255.0), vec4f(0.0, low, middle, high), v < 1.0);
 }
 `,
             "write_base255": `
@@ -11038,13 +11206,13 @@ fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k0);
     let w0: vec2f = floor(r * k0);
     let w2: vec2f = floor(r * k0 + s * k1);
     let w3: vec2f = floor(s * k0);
-    let w1: vec2f = whole - (w0 + w2 + w3);
+    let w1: vec2f = max(whole - (w0 + w2 + w3), vec2f(0.0, 0.0));
     let first: vec2f = texel - 1.0;
     var n: f32 = 0.0;
     var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);
@@ -11069,7 +11237,7 @@ fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k1 + k0);
     let w0: vec2f = floor(r * k0);
@@ -11077,7 +11245,7 @@ fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let w3: vec2f = floor(r * k1 + s * k2);
     let w4: vec2f = floor(r * k0 + s * k1);
     let w5: vec2f = floor(s * k0);
-    let w2: vec2f = whole - (w0 + w1 + w3 + w4 + w5);
+    let w2: vec2f = max(whole - (w0 + w1 + w3 + w4 + w5), vec2f(0.0, 0.0));
     let first: vec2f = texel - 2.0;
     var n: f32 = 0.0;
     var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);
@@ -11109,7 +11277,7 @@ fn umbrage_window_sum7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     let w0: vec2f = floor(r * k0);
@@ -11119,7 +11287,7 @@ fn umbrage_window_sum7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let w5: vec2f = floor(r * k1 + s * k2);
     let w6: vec2f = floor(r * k0 + s * k1);
     let w7: vec2f = floor(s * k0);
-    let w3: vec2f = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    let w3: vec2f = max(whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7), vec2f(0.0, 0.0));
     let first: vec2f = texel - 3.0;
     var n: f32 = 0.0;
     var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);
@@ -11172,7 +11340,7 @@ fn umbrage_disc_turn(pixel: vec2f) -> vec2f {
 fn umbrage_disc_tap(position: vec2f, p: vec2f, turn: vec2f, radius: f32) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
-    let within: vec2f = at - texel;
+    let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
     let scaled: vec2f = turn * (radius * (1.0 / 16384.0));
     let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
     let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
@@ -11314,11 +11482,11 @@ fn umbrage_pcf_2x2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) ->
     let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let hi: vec2f = x - texel * 256.0;
-    let lo: vec2f = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
     let lit: vec4f = umbrage_lit_2x2(map, size, texel, receiver);
-    let sum: f32 = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    let visibility: f32 = sum * (1.0 / 65536.0);
+    let visibility: f32 = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return select(1.0, visibility, compared);
 }
 `,
@@ -11394,11 +11562,12 @@ fn umbrage_tent2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f
     let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    let s: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
     let r: vec2f = 256.0 - s;
     let w0: vec2f = r * 8.0;
     let w2: vec2f = s * 8.0;
-    let w1: vec2f = 4096.0 - w0 - w2;
+    let w1: vec2f = max(4096.0 - w0 - w2, vec2f(0.0, 0.0));
     let a: vec4f = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     let b: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, -1.0), receiver);
     let c: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(-1.0, 1.0), receiver);
@@ -11426,11 +11595,12 @@ fn umbrage_quadratic_b_spline(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiv
     let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    let s: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
     let r: vec2f = 256.0 - s;
     let w0: vec2f = floor(r * r * (1.0 / 32.0));
     let w2: vec2f = floor(s * s * (1.0 / 32.0));
-    let w1: vec2f = 4096.0 - w0 - w2;
+    let w1: vec2f = max(4096.0 - w0 - w2, vec2f(0.0, 0.0));
     let a: vec4f = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     let b: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, -1.0), receiver);
     let c: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(-1.0, 1.0), receiver);
@@ -11515,8 +11685,9 @@ fn umbrage_pcf_2x2_cube(UMBRAGE_MAP map, size: vec2f, at: vec3f, receiver: f32) 
     let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0 + 0.5) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let hi: vec2f = x - texel * 256.0;
-    let lo: vec2f = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
     var sum: vec2f = umbrage_cube_lit(map, size, vec3f(texel, at.z), receiver) * (lo.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3f(texel + vec2f(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3f(texel + vec2f(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
@@ -12086,7 +12257,7 @@ fn umbrage_blockers_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, recei
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 fn umbrage_hardened8(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 8.0;
-    let d: f32 = 8.0 - abs(u);
+    let d: f32 = max(8.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     let steep: f32 = 512.0 - d * d * d;
     let hard: f32 = select(512.0 + steep, 512.0 - steep, u < 0.0);
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
@@ -12097,7 +12268,7 @@ fn umbrage_hardened8(blocked: f32, ratio: f32) -> f32 {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 fn umbrage_hardened16(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 16.0;
-    let d: f32 = 16.0 - abs(u);
+    let d: f32 = max(16.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     let steep: f32 = 4096.0 - d * d * d;
     let hard: f32 = select(4096.0 + steep, 4096.0 - steep, u < 0.0);
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
@@ -12108,7 +12279,7 @@ fn umbrage_hardened16(blocked: f32, ratio: f32) -> f32 {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 fn umbrage_hardened32(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 32.0;
-    let d: f32 = 32.0 - abs(u);
+    let d: f32 = max(32.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     let steep: f32 = 32768.0 - d * d * d;
     let hard: f32 = select(32768.0 + steep, 32768.0 - steep, u < 0.0);
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
@@ -12128,7 +12299,7 @@ fn umbrage_dpcf8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, soft
     let radius: f32 = umbrage_penumbra(z - mean, softness);
     let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     let dark: f32 = umbrage_hardened8(found.x, ratio);
-    return select(1.0, 1.0 - dark, compared);
+    return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }
 `,
             "dpcf16": `
@@ -12145,7 +12316,7 @@ fn umbrage_dpcf16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, sof
     let radius: f32 = umbrage_penumbra(z - mean, softness);
     let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     let dark: f32 = umbrage_hardened16(found.x, ratio);
-    return select(1.0, 1.0 - dark, compared);
+    return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }
 `,
             "dpcf32": `
@@ -12162,7 +12333,7 @@ fn umbrage_dpcf32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, sof
     let radius: f32 = umbrage_penumbra(z - mean, softness);
     let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     let dark: f32 = umbrage_hardened32(found.x, ratio);
-    return select(1.0, 1.0 - dark, compared);
+    return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }
 `,
             "box_moments": `
@@ -12178,16 +12349,17 @@ fn umbrage_box_moments(UMBRAGE_MAP map, size: vec2f, first: vec2f, end: vec2f) -
     var low: vec2f = vec2f(part.x, part.z);
     let carry: vec2f = floor(low * (1.0 / 65536.0));
     var above: vec2f = vec2f(part.y, part.w) + carry;
-    low = low - carry * 65536.0;
-    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2f(0.0, 0.0));  // or a compiler distributes
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, vec2f(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2f(0.0, 0.0));
     let sum: f32 = above.x * 65536.0 + low.x;
-    let sides: vec2f = end - first;
+    let sides: vec2f = max(end - first, vec2f(1.0, 1.0));
     let n: f32 = sides.x * sides.y;
     let mean: f32 = umbrage_floor_divide(sum, n);
-    let rest: f32 = sum - mean * n;
+    let rest: f32 = max(sum - mean * n, 0.0);
     var digits: vec2f = vec2f(sum + rest, low.y);
     let high: vec2f = floor(digits * (1.0 / 4096.0));
-    digits = digits - high * 4096.0;
+    digits = max(digits - high * 4096.0, vec2f(0.0, 0.0));
     let below: f32 = digits.y - mean * digits.x;
     let borrow: f32 = floor(below * (1.0 / 4096.0));
     var wide: f32 = above.y * 16.0 + high.y - mean * high.x + borrow;
@@ -12352,7 +12524,7 @@ fn umbrage_exp2_polynomial(y: f32) -> f32 {
 fn umbrage_exp2_steps(y: f32) -> f32 {
     let x: f32 = floor(select(-64.0, min(y, 63.0), y > -64.0) * 2048.0);
     let n: f32 = floor(x * (1.0 / 2048.0));
-    let f: f32 = x - n * 2048.0;
+    let f: f32 = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
     let g: f32 = floor(f * (2048.0 - f) * (1.0 / 256.0));
     let r: f32 = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     let m: f32 = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
@@ -12545,16 +12717,17 @@ fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 fn umbrage_fetch_bilinear(UMBRAGE_MAP map, size: vec2f, coord: vec2f) -> vec4f {
     let x: vec2f = floor(coord * 256.0) - 128.0;
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let hi: vec2f = x - texel * 256.0;
-    let lo: vec2f = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
     let a: vec4f = umbrage_fetch_clamped(map, size, texel);
     let b: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 0.0));
     let c: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(0.0, 1.0));
     let d: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 1.0));
     let low: vec4f = a * lo.x + b * hi.x;
     let high: vec4f = c * lo.x + d * hi.x;
-    let sum: vec4f = low * lo.y + high * hi.y;
-    return sum * (1.0 / 65536.0);
+    let mean: vec4f = low * lo.y + high * hi.y;
+    return mean;
 }
 `,
             "vsm": `
@@ -13140,21 +13313,21 @@ fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
     },
 };
 
-// id, name, summary, exactness, ulp, within, lowest, role, scaled, needs
+// id, name, summary, exactness, operations, within, lowest, role, scaled, needs
 const rows = [
-    ["shadow_coordinate", "shadow_coordinate", "world to texels and depth, before the division", "b", 0, 0, "100", "none", false, []],
-    ["tap_coordinate", "tap_coordinate", "a tap's coordinate from the middle's, before the division", "b", 0, 0, "100", "none", false, []],
-    ["project_coordinate", "project_coordinate", "the division by w, lit behind the light", "c", 1, 0, "100", "none", false, []],
+    ["shadow_coordinate", "shadow_coordinate", "world to texels and depth, before the division", "b", 6, 0, "100", "none", false, []],
+    ["tap_coordinate", "tap_coordinate", "a tap's coordinate from the middle's, before the division", "b", 2, 0, "100", "none", false, []],
+    ["project_coordinate", "project_coordinate", "the division by w, lit behind the light", "c", 3, 0, "100", "none", false, []],
     ["cascade_by_depth", "cascade_by_depth", "cascade that a view depth falls into", "a", 0, 0, "100", "none", false, []],
     ["cascade_column", "cascade_column", "one of four columns, without an index", "a", 0, 0, "100", "none", false, []],
-    ["cascade_coordinate", "cascade_coordinate", "a point in the map of one cascade", "b", 0, 0, "100", "none", false, []],
-    ["inside_cascade", "inside_cascade", "coordinates whose filter stays inside a cascade", "b", 0, 0, "100", "none", false, []],
-    ["cascade_by_projection", "cascade_by_projection", "first cascade that holds a point and its filter", "b", 0, 0, "100", "none", false, ["cascade_coordinate", "inside_cascade"]],
+    ["cascade_coordinate", "cascade_coordinate", "a point in the map of one cascade", "b", 2, 0, "100", "none", false, []],
+    ["inside_cascade", "inside_cascade", "coordinates whose filter stays inside a cascade", "b", 2, 0, "100", "none", false, []],
+    ["cascade_by_projection", "cascade_by_projection", "first cascade that holds a point and its filter", "b", 4, 0, "100", "none", false, ["cascade_coordinate", "inside_cascade"]],
     ["cascade_tile", "cascade_tile", "first texel of a cascade in an atlas", "a", 0, 0, "100", "none", false, []],
     ["cascade_weight", "cascade_weight", "a weight in steps of 1/256", "a", 0, 0, "100", "none", false, []],
-    ["cascade_fade", "cascade_fade", "weight of the next cascade, by view depth", "b", 0, 0, "100", "none", false, ["cascade_weight"]],
-    ["cascade_border_fade", "cascade_border_fade", "weight of the next cascade, by distance from the border", "b", 0, 0, "100", "none", false, ["cascade_weight"]],
-    ["blend_cascades", "blend_cascades", "two cascades' visibilities, mixed", "b", 0, 0, "100", "none", false, []],
+    ["cascade_fade", "cascade_fade", "weight of the next cascade, by view depth", "b", 3, 0, "100", "none", false, ["cascade_weight"]],
+    ["cascade_border_fade", "cascade_border_fade", "weight of the next cascade, by distance from the border", "b", 8, 0, "100", "none", false, ["cascade_weight"]],
+    ["blend_cascades", "blend_cascades", "two cascades' visibilities, mixed", "b", 3, 0, "100", "none", false, []],
     ["inside_texel_space", "inside_texel_space", "coordinates a filter can take", "a", 0, 0, "100", "none", false, []],
     ["dither_threshold", "dither_threshold", "one of 16 thresholds for a pixel", "a", 0, 0, "100", "none", false, ["inside_texel_space"]],
     ["dithered_cascade", "dithered_cascade", "a cascade, or by its weight the next one", "a", 0, 0, "100", "none", false, []],
@@ -13162,35 +13335,35 @@ const rows = [
     ["cube_view_z", "cube_view_z", "distance along the axis of the face that a direction meets", "a", 0, 0, "100", "none", false, ["cube_face"]],
     ["cube_plane", "cube_plane", "a direction in its face's axes", "a", 0, 0, "100", "none", false, ["cube_face"]],
     ["cube_point", "cube_point", "a point from a face's axes", "a", 0, 0, "100", "none", false, []],
-    ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 1, 0, "100", "none", false, ["cube_view_z", "cube_plane"]],
-    ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 0, 0, "100", "none", false, ["cube_point"]],
+    ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 5, 0, "100", "none", false, ["cube_view_z", "cube_plane"]],
+    ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 2, 0, "100", "none", false, ["cube_point"]],
     ["cube_neighbour", "cube_neighbour", "texel beyond an edge of a cube's face", "a", 0, 0, "100", "none", false, ["cube_plane", "cube_point"]],
     ["cube_tile", "cube_tile", "first texel of a face in an atlas", "a", 0, 0, "100", "none", false, []],
     ["cube_atlas_texel", "cube_atlas_texel", "face that a texel of an atlas belongs to, and where on it", "a", 0, 0, "100", "none", false, []],
     ["cube_atlas_direction", "cube_atlas_direction", "direction that reads an atlas' texel from a texture of a cube", "a", 0, 0, "100", "none", false, ["cube_atlas_texel", "cube_point"]],
-    ["dual_paraboloid_coordinate", "dual_paraboloid_coordinate", "paraboloid map, and where in it, that sees a direction", "c", 1, 0, "100", "none", false, []],
-    ["dual_paraboloid_position", "dual_paraboloid_position", "a vertex of a paraboloid map's depth pass", "c", 1, 0, "100", "none", false, []],
-    ["tetrahedron_face", "tetrahedron_face", "face of a tetrahedron that a direction meets", "b", 0, 0, "100", "none", false, []],
-    ["tetrahedron_plane", "tetrahedron_plane", "a direction in its tetrahedron face's axes", "b", 0, 0, "100", "none", false, ["tetrahedron_face"]],
-    ["tetrahedron_view_z", "tetrahedron_view_z", "distance along the normal of the tetrahedron's face that a direction meets", "b", 0, 0, "100", "none", false, ["tetrahedron_plane"]],
-    ["tetrahedron_coordinate", "tetrahedron_coordinate", "face of a tetrahedron, and where on it, that a direction meets", "c", 1, 0, "100", "none", false, ["tetrahedron_face", "tetrahedron_plane"]],
-    ["tetrahedron_texel", "tetrahedron_texel", "a point of a tetrahedron's face in the map", "b", 0, 0, "100", "none", false, []],
+    ["dual_paraboloid_coordinate", "dual_paraboloid_coordinate", "paraboloid map, and where in it, that sees a direction", "c", 32, 0, "100", "none", false, []],
+    ["dual_paraboloid_position", "dual_paraboloid_position", "a vertex of a paraboloid map's depth pass", "c", 18, 0, "100", "none", false, []],
+    ["tetrahedron_face", "tetrahedron_face", "face of a tetrahedron that a direction meets", "b", 1, 0, "100", "none", false, []],
+    ["tetrahedron_plane", "tetrahedron_plane", "a direction in its tetrahedron face's axes", "b", 1, 0, "100", "none", false, ["tetrahedron_face"]],
+    ["tetrahedron_view_z", "tetrahedron_view_z", "distance along the normal of the tetrahedron's face that a direction meets", "b", 3, 0, "100", "none", false, ["tetrahedron_plane"]],
+    ["tetrahedron_coordinate", "tetrahedron_coordinate", "face of a tetrahedron, and where on it, that a direction meets", "c", 6, 0, "100", "none", false, ["tetrahedron_face", "tetrahedron_plane"]],
+    ["tetrahedron_texel", "tetrahedron_texel", "a point of a tetrahedron's face in the map", "b", 9, 0, "100", "none", false, []],
     ["tetrahedron_face_of", "tetrahedron_face_of", "face of a tetrahedron that a texel belongs to", "a", 0, 0, "100", "none", false, []],
-    ["pancaked", "pancaked", "casters before the near plane, onto it", "b", 0, 0, "100", "none", false, []],
+    ["pancaked", "pancaked", "casters before the near plane, onto it", "b", 1, 0, "100", "none", false, []],
     ["texel", "texel", "texel inside a map", "a", 0, 0, "100", "texel", false, []],
     ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, 0, "100", "none", false, []],
     ["page_coordinate", "page_coordinate", "a receiver in the page of an atlas that holds it", "a", 0, 0, "100", "none", false, ["texel", "from_unorm"]],
-    ["linear_depth", "linear_depth", "view-space z over z_far", "b", 0, 0, "100", "none", false, []],
-    ["project_depth", "project_depth", "z / w, far behind the light", "c", 1, 0, "100", "none", false, []],
-    ["distance_depth", "distance_depth", "distance to the light over its range", "c", 1, 0, "100", "none", false, []],
-    ["reverse_depth", "reverse_depth", "1 - depth", "b", 0, 0, "100", "none", false, []],
-    ["depth_from_ndc", "depth_from_ndc", "z/w in [-1, 1] to depth in [0, 1]", "b", 0, 0, "100", "none", false, []],
-    ["view_z_from_depth", "view_z_from_depth", "perspective depth to view-space z", "c", 1, 0, "100", "none", false, []],
-    ["depth_from_view_z", "depth_from_view_z", "view-space z to perspective depth", "c", 1, 0, "100", "none", false, []],
-    ["view_z_from_reversed_depth", "view_z_from_reversed_depth", "reversed perspective depth to view-space z", "c", 1, 0, "100", "none", false, []],
-    ["reversed_depth_from_view_z", "reversed_depth_from_view_z", "view-space z to reversed perspective depth", "c", 1, 0, "100", "none", false, []],
-    ["view_z_from_orthographic_depth", "view_z_from_orthographic_depth", "orthographic depth to view-space z", "b", 0, 0, "100", "none", false, []],
-    ["orthographic_depth_from_view_z", "orthographic_depth_from_view_z", "view-space z to orthographic depth", "c", 1, 0, "100", "none", false, []],
+    ["linear_depth", "linear_depth", "view-space z over z_far", "b", 1, 0, "100", "none", false, []],
+    ["project_depth", "project_depth", "z / w, far behind the light", "c", 3, 0, "100", "none", false, []],
+    ["distance_depth", "distance_depth", "distance to the light over its range", "c", 9, 0, "100", "none", false, []],
+    ["reverse_depth", "reverse_depth", "1 - depth", "b", 1, 0, "100", "none", false, []],
+    ["depth_from_ndc", "depth_from_ndc", "z/w in [-1, 1] to depth in [0, 1]", "b", 2, 0, "100", "none", false, []],
+    ["view_z_from_depth", "view_z_from_depth", "perspective depth to view-space z", "c", 8, 0, "100", "none", false, []],
+    ["depth_from_view_z", "depth_from_view_z", "view-space z to perspective depth", "c", 10, 0, "100", "none", false, []],
+    ["view_z_from_reversed_depth", "view_z_from_reversed_depth", "reversed perspective depth to view-space z", "c", 11, 0, "100", "none", false, []],
+    ["reversed_depth_from_view_z", "reversed_depth_from_view_z", "view-space z to reversed perspective depth", "c", 13, 0, "100", "none", false, []],
+    ["view_z_from_orthographic_depth", "view_z_from_orthographic_depth", "orthographic depth to view-space z", "b", 3, 0, "100", "none", false, []],
+    ["orthographic_depth_from_view_z", "orthographic_depth_from_view_z", "view-space z to orthographic depth", "c", 5, 0, "100", "none", false, []],
     ["cleared_depth", "cleared_depth", "depth of the far plane", "a", 0, 0, "100", "cleared_depth", false, []],
     ["saturate", "saturate", "clamp to [0, 1], NaN to far", "a", 0, 0, "100", "none", false, ["cleared_depth"]],
     ["mend_quotient", "mend_quotient", "a quotient of whole numbers, from one at most one off", "a", 0, 0, "100", "none", false, []],
@@ -13206,13 +13379,13 @@ const rows = [
     ["encode_rg16", "encode_rg16", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
     ["encode_rgb24", "encode_rgb24", "depth to three channels, R most significant", "a", 0, 0, "100", "none", false, ["saturate"]],
     ["encode_float_bits", "encode_float_bits", "any float's bit pattern to four channels, R least significant", "a", 0, 0, "300 es", "none", false, []],
-    ["write_threejs_rgba", "write_threejs_rgba", "depth to three.js RGBA, r167 and later", "b", 0, 0, "100", "none", false, ["saturate"]],
-    ["write_threejs_rgb", "write_threejs_rgb", "depth to three.js RGB, r167 and later", "b", 0, 0, "100", "none", false, ["saturate"]],
-    ["write_threejs_rg", "write_threejs_rg", "depth to three.js RG, r167 and later", "b", 0, 0, "100", "none", false, ["saturate"]],
-    ["write_threejs_legacy", "write_threejs_legacy", "depth to three.js RGBA, r73 to r166", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_rgba", "write_threejs_rgba", "depth to three.js RGBA, r167 and later", "b", 5, 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_rgb", "write_threejs_rgb", "depth to three.js RGB, r167 and later", "b", 3, 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_rg", "write_threejs_rg", "depth to three.js RG, r167 and later", "b", 1, 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_legacy", "write_threejs_legacy", "depth to three.js RGBA, r73 to r166", "b", 7, 0, "100", "none", false, ["saturate"]],
     ["encode_threejs_legacy_repaired", "encode_threejs_legacy_repaired", "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired", "a", 0, 0, "100", "none", false, ["saturate"]],
-    ["write_base255", "write_base255", "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx", "b", 0, 0, "100", "none", false, ["saturate"]],
-    ["encode_base255_repaired", "encode_base255_repaired", "depth for readers of base-255 RGBA, 1.0 and truncation repaired", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["write_base255", "write_base255", "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx", "b", 6, 0, "100", "none", false, ["saturate"]],
+    ["encode_base255_repaired", "encode_base255_repaired", "depth for readers of base-255 RGBA, 1.0 and truncation repaired", "b", 7, 0, "100", "none", false, ["saturate"]],
     ["fetch_clamped", "fetch_clamped", "texel of a map, outside the nearest one inside", "a", 0, 0, "100", "none", false, ["texel"]],
     ["encode_rg9_table", "encode_rg9_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
     ["encode_rg10_table", "encode_rg10_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
@@ -13232,41 +13405,41 @@ const rows = [
     ["decode_rg16", "decode_rg16", "two channels, R the low byte, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
     ["decode_rgb24", "decode_rgb24", "three channels, R most significant, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
     ["decode_float_bits", "decode_float_bits", "four channels, R least significant, to the float they are", "a", 0, 0, "300 es", "none", false, ["saturate"]],
-    ["decode_threejs_rgba", "decode_threejs_rgba", "three.js RGBA, r167 and later, to depth", "b", 0, 0, "100", "none", false, []],
-    ["decode_threejs_rgb", "decode_threejs_rgb", "three.js RGB, r167 and later, to depth", "b", 0, 0, "100", "none", false, []],
-    ["decode_threejs_rg", "decode_threejs_rg", "three.js RG, r167 and later, to depth", "b", 0, 0, "100", "none", false, []],
-    ["decode_threejs_legacy", "decode_threejs_legacy", "three.js RGBA, r73 to r166, to depth", "b", 0, 0, "100", "none", false, []],
-    ["decode_base255", "decode_base255", "base-255 RGBA to depth", "b", 0, 0, "100", "none", false, []],
-    ["level_rg9", "level_rg9", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
-    ["level_rg10", "level_rg10", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
-    ["level_rg11", "level_rg11", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
-    ["level_rg12", "level_rg12", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
-    ["level_rg13", "level_rg13", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
-    ["level_rg14", "level_rg14", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
-    ["level_rg15", "level_rg15", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
-    ["level_rg16", "level_rg16", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
-    ["receiver_rg9", "receiver_rg9", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
-    ["receiver_rg10", "receiver_rg10", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
-    ["receiver_rg11", "receiver_rg11", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
-    ["receiver_rg12", "receiver_rg12", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
-    ["receiver_rg13", "receiver_rg13", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
-    ["receiver_rg14", "receiver_rg14", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
-    ["receiver_rg15", "receiver_rg15", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
-    ["receiver_rg16", "receiver_rg16", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
-    ["decode_ps14", "decode_ps14", "r / 8 + g as the Radeon 8500 computed it", "b", 0, 0, "100", "none", true, []],
-    ["receiver_ps14", "receiver_ps14", "receiver on the scale of decode_ps14", "b", 0, 0, "100", "none", false, []],
+    ["decode_threejs_rgba", "decode_threejs_rgba", "three.js RGBA, r167 and later, to depth", "b", 7, 0, "100", "none", false, []],
+    ["decode_threejs_rgb", "decode_threejs_rgb", "three.js RGB, r167 and later, to depth", "b", 5, 0, "100", "none", false, []],
+    ["decode_threejs_rg", "decode_threejs_rg", "three.js RG, r167 and later, to depth", "b", 3, 0, "100", "none", false, []],
+    ["decode_threejs_legacy", "decode_threejs_legacy", "three.js RGBA, r73 to r166, to depth", "b", 7, 0, "100", "none", false, []],
+    ["decode_base255", "decode_base255", "base-255 RGBA to depth", "b", 6, 0, "100", "none", false, []],
+    ["level_rg9", "level_rg9", "two channels to a level to compare with", "b", 4, 0, "100", "none", true, []],
+    ["level_rg10", "level_rg10", "two channels to a level to compare with", "b", 4, 0, "100", "none", true, []],
+    ["level_rg11", "level_rg11", "two channels to a level to compare with", "b", 4, 0, "100", "none", true, []],
+    ["level_rg12", "level_rg12", "two channels to a level to compare with", "b", 4, 0, "100", "none", true, []],
+    ["level_rg13", "level_rg13", "two channels to a level to compare with", "b", 4, 0, "100", "none", true, []],
+    ["level_rg14", "level_rg14", "two channels to a level to compare with", "b", 4, 0, "100", "none", true, []],
+    ["level_rg15", "level_rg15", "two channels to a level to compare with", "b", 4, 0, "100", "none", true, []],
+    ["level_rg16", "level_rg16", "two channels to a level to compare with", "b", 4, 0, "100", "none", true, []],
+    ["receiver_rg9", "receiver_rg9", "receiver to a level, for maps that are not decoded", "b", 2, 0, "100", "none", false, []],
+    ["receiver_rg10", "receiver_rg10", "receiver to a level, for maps that are not decoded", "b", 2, 0, "100", "none", false, []],
+    ["receiver_rg11", "receiver_rg11", "receiver to a level, for maps that are not decoded", "b", 2, 0, "100", "none", false, []],
+    ["receiver_rg12", "receiver_rg12", "receiver to a level, for maps that are not decoded", "b", 2, 0, "100", "none", false, []],
+    ["receiver_rg13", "receiver_rg13", "receiver to a level, for maps that are not decoded", "b", 2, 0, "100", "none", false, []],
+    ["receiver_rg14", "receiver_rg14", "receiver to a level, for maps that are not decoded", "b", 2, 0, "100", "none", false, []],
+    ["receiver_rg15", "receiver_rg15", "receiver to a level, for maps that are not decoded", "b", 2, 0, "100", "none", false, []],
+    ["receiver_rg16", "receiver_rg16", "receiver to a level, for maps that are not decoded", "b", 2, 0, "100", "none", false, []],
+    ["decode_ps14", "decode_ps14", "r / 8 + g as the Radeon 8500 computed it", "b", 4, 0, "100", "none", true, []],
+    ["receiver_ps14", "receiver_ps14", "receiver on the scale of decode_ps14", "b", 1, 0, "100", "none", false, []],
     ["inside_map", "inside_map", "whether a texel is one of the map's", "a", 0, 0, "100", "none", false, []],
     ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, 0, "100", "none", false, ["fetch_clamped", "inside_map"]],
     ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, 0, "100", "fetch_depth", false, ["fetch_clamped", "fetch_bordered", "cleared_depth"]],
-    ["depth_at", "depth_at", "stored depth at a point of the map", "c", 1, 0, "100", "depth_at", false, ["fetch_depth"]],
+    ["depth_at", "depth_at", "stored depth at a point of the map", "c", 4, 0, "100", "depth_at", false, ["fetch_depth"]],
     ["beyond_far", "beyond_far", "receivers behind the far plane", "a", 0, 0, "100", "beyond_far", false, []],
     ["is_compared", "is_compared", "receivers that a filter compares; it takes the others as lit", "a", 0, 0, "100", "none", false, ["inside_texel_space", "beyond_far"]],
     ["compare", "compare", "one comparison", "a", 0, 0, "100", "compare", false, []],
     ["lit", "lit", "one comparison with a texel", "a", 0, 0, "100", "lit", false, ["compare", "fetch_depth"]],
     ["lit_2x2", "lit_2x2", "comparisons with the 2x2 texels from one on", "a", 0, 0, "100", "lit_2x2", false, ["lit"]],
     ["before_far", "before_far", "receivers up to the far plane, NaN is none", "a", 0, 0, "100", "before_far", false, ["beyond_far"]],
-    ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 0, 0, "100", "none", false, []],
-    ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 0, 0, "100", "none", false, []],
+    ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 1, 0, "100", "none", false, []],
+    ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 1, 0, "100", "none", false, []],
     ["window_sum3", "window_sum3", "weighted count of lit texels under a window of 3 x 3", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
     ["window_sum5", "window_sum5", "weighted count of lit texels under a window of 5 x 5", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
     ["window_sum7", "window_sum7", "weighted count of lit texels under a window of 7 x 7", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
@@ -13279,22 +13452,22 @@ const rows = [
     ["hard", "hard", "nearest texel, one test", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
     ["four_tap", "four_tap", "mean of four taps with coordinates of their own", "a", 0, 0, "100", "none", false, ["lit", "beyond_far"]],
     ["pcf_2x2", "pcf_2x2", "bilinear 2x2, weights in steps of 1/256", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
-    ["pcf_2x2_dx_sdk", "pcf_2x2_dx_sdk", "bilinear 2x2 as the DirectX SDK sample, plain floats", "b", 0, 0, "100", "none", false, ["compare_dx_sdk", "is_compared", "fetch_depth"]],
+    ["pcf_2x2_dx_sdk", "pcf_2x2_dx_sdk", "bilinear 2x2 as the DirectX SDK sample, plain floats", "b", 20, 0, "100", "none", false, ["compare_dx_sdk", "is_compared", "fetch_depth"]],
     ["box_count", "box_count", "lit texels in a box of radius 0..8", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
     ["box_scale", "box_scale", "1 / (2r+1)^2", "a", 0, 0, "100", "none", false, []],
-    ["box", "box", "lit share of a box of radius 0..8", "b", 0, 0, "100", "none", false, ["box_count", "box_scale"]],
+    ["box", "box", "lit share of a box of radius 0..8", "b", 290, 0, "100", "none", false, ["box_count", "box_scale"]],
     ["tent2", "tent2", "sliding window 1 1", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
     ["tent3", "tent3", "sliding window 1 2 1", "a", 0, 0, "100", "none", false, ["window_sum3"]],
     ["quadratic_b_spline", "quadratic_b_spline", "quadratic B-spline of 3 x 3 texels", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
     ["binomial5", "binomial5", "sliding window 1 4 6 4 1", "a", 0, 0, "100", "none", false, ["window_sum5"]],
     ["castano_dyadic5", "castano_dyadic5", "sliding window 5 16 22 16 5", "a", 0, 0, "100", "none", false, ["window_sum5"]],
-    ["castano5", "castano5", "sliding window 1 3 4 3 1", "b", 0, 0, "100", "none", false, ["window_sum5"]],
+    ["castano5", "castano5", "sliding window 1 3 4 3 1", "b", 80, 0, "100", "none", false, ["window_sum5"]],
     ["binomial7", "binomial7", "sliding window 1 6 15 20 15 6 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
     ["tent7", "tent7", "sliding window 1 2 3 4 3 2 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
-    ["castano7", "castano7", "sliding window 1 5 12 16 12 5 1", "b", 0, 0, "100", "none", false, ["window_sum7"]],
+    ["castano7", "castano7", "sliding window 1 5 12 16 12 5 1", "b", 138, 0, "100", "none", false, ["window_sum7"]],
     ["cube_lit", "cube_lit", "one comparison with a texel of a cube", "a", 0, 0, "100", "none", false, ["cube_neighbour", "cube_tile", "lit"]],
-    ["pcf_2x2_cube", "pcf_2x2_cube", "2 x 2 comparisons of a cube, over its edges too, bilinear weights", "c", 1, 0, "100", "none", false, ["is_compared", "cube_lit"]],
-    ["four_tap_hardware", "four_tap_hardware", "mean of four taps that a sampler of the nearest texel takes", "c", 1, 0, "100", "none", false, ["beyond_far", "compare", "depth_at"]],
+    ["pcf_2x2_cube", "pcf_2x2_cube", "2 x 2 comparisons of a cube, over its edges too, bilinear weights", "c", 33, 0, "100", "none", false, ["is_compared", "cube_lit"]],
+    ["four_tap_hardware", "four_tap_hardware", "mean of four taps that a sampler of the nearest texel takes", "c", 39, 0, "100", "none", false, ["beyond_far", "compare", "depth_at"]],
     ["lit_filtered", "lit_filtered", "comparisons around a point, weighted", "c", 0, 1 / 128, "100", "lit_filtered", false, ["pcf_2x2"]],
     ["lit_at", "lit_at", "comparisons around a point of the map, weighted", "c", 0, 1 / 128, "100", "lit_at", false, ["lit_filtered"]],
     ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
@@ -13314,11 +13487,11 @@ const rows = [
     ["pcss8", "pcss8", "percentage-closer soft shadows, 8 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers8", "floor_divide", "disc8"]],
     ["pcss16", "pcss16", "percentage-closer soft shadows, 16 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers16", "floor_divide", "disc16"]],
     ["pcss32", "pcss32", "percentage-closer soft shadows, 32 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "disc32"]],
-    ["blocker_at", "blocker_at", "whether what a point of the map holds lies before a receiver, and its depth", "c", 1, 0, "100", "none", false, ["depth_at", "compare"]],
+    ["blocker_at", "blocker_at", "whether what a point of the map holds lies before a receiver, and its depth", "c", 4, 0, "100", "none", false, ["depth_at", "compare"]],
     ["pcss_radius", "pcss_radius", "radius of a penumbra from the mean depth of blockers", "c", 0, 1 / 1024, "100", "none", false, ["cleared_depth"]],
-    ["blockers_hardware8", "blockers_hardware8", "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel", "c", 1, 0, "100", "none", false, ["is_compared", "blocker_at"]],
-    ["blockers_hardware16", "blockers_hardware16", "the same at 16 points", "c", 1, 0, "100", "none", false, ["is_compared", "blocker_at"]],
-    ["blockers_hardware32", "blockers_hardware32", "the same at 32 points", "c", 1, 0, "100", "none", false, ["is_compared", "blocker_at"]],
+    ["blockers_hardware8", "blockers_hardware8", "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel", "c", 24, 0, "100", "none", false, ["is_compared", "blocker_at"]],
+    ["blockers_hardware16", "blockers_hardware16", "the same at 16 points", "c", 24, 0, "100", "none", false, ["is_compared", "blocker_at"]],
+    ["blockers_hardware32", "blockers_hardware32", "the same at 32 points", "c", 24, 0, "100", "none", false, ["is_compared", "blocker_at"]],
     ["hardened8", "hardened8", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
     ["hardened16", "hardened16", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
     ["hardened32", "hardened32", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
@@ -13327,39 +13500,39 @@ const rows = [
     ["dpcf32", "dpcf32", "contact hardening by 32 points", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "hardened32"]],
     ["box_moments", "box_moments", "mean and squared distances from it over a box, from a summed-area table", "a", 0, 0, "100", "none", false, ["texel", "floor_divide"]],
     ["summed_variance", "summed_variance", "variance shadow over a box of any size, from a summed-area table", "c", 0, 1 / 65536, "100", "none", false, ["is_compared", "cleared_depth", "box_moments"]],
-    ["box_mean", "box_mean", "mean of four whole numbers over a box, from a summed-area table in two halves", "c", 1, 0, "100", "none", false, ["texel"]],
-    ["turn_moments_back", "turn_moments_back", "four channels of 16 bits to four moments", "b", 0, 0, "100", "none", false, []],
-    ["bias_moments", "bias_moments", "four moments, moved a little towards those of spread depths", "b", 0, 0, "100", "none", false, []],
-    ["forward_depth", "forward_depth", "depth that grows with distance", "b", 0, 0, "100", "none", false, ["cleared_depth"]],
+    ["box_mean", "box_mean", "mean of four whole numbers over a box, from a summed-area table in two halves", "c", 19, 0, "100", "none", false, ["texel"]],
+    ["turn_moments_back", "turn_moments_back", "four channels of 16 bits to four moments", "b", 5, 0, "100", "none", false, []],
+    ["bias_moments", "bias_moments", "four moments, moved a little towards those of spread depths", "b", 3, 0, "100", "none", false, []],
+    ["forward_depth", "forward_depth", "depth that grows with distance", "b", 1, 0, "100", "none", false, ["cleared_depth"]],
     ["moment_atoms", "moment_atoms", "the two depths that make four moments beside a receiver's", "c", 0, 1 / 64, "100", "none", false, []],
     ["decode_msm", "decode_msm", "mean of four moments to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "forward_depth", "moment_atoms"]],
     ["summed_moments", "summed_moments", "moment shadow over a box of any size, from a summed-area table", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "box_mean", "turn_moments_back", "decode_msm"]],
     ["power_of_two", "power_of_two", "2^n of whole numbers -64 to 63", "a", 0, 0, "100", "none", false, []],
-    ["exp2_polynomial", "exp2_polynomial", "2^y to 1.8e-7 of it", "b", 0, 0, "100", "none", false, ["power_of_two"]],
+    ["exp2_polynomial", "exp2_polynomial", "2^y to 1.8e-7 of it", "b", 16, 0, "100", "none", false, ["power_of_two"]],
     ["exp2_steps", "exp2_steps", "2^y in steps of 12 bits", "a", 0, 0, "100", "none", false, ["power_of_two"]],
-    ["chebyshev", "chebyshev", "most that mean and variance let be lit", "c", 1, 0, "100", "none", false, []],
-    ["bleed_cut", "bleed_cut", "visibility without its least values", "c", 1, 0, "100", "none", false, []],
-    ["encode_vsm", "encode_vsm", "depth to a texel of a variance shadow map", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth"]],
-    ["decode_vsm", "decode_vsm", "mean of texels of a variance shadow map to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth"]],
-    ["encode_deviation", "encode_deviation", "depth's two moments to mean and deviation", "c", 1, 0, "100", "none", false, []],
-    ["decode_deviation", "decode_deviation", "mean and deviation to depth's two moments", "b", 0, 0, "100", "none", false, []],
-    ["decode_deviation_rgba8", "decode_deviation_rgba8", "mean and deviation in four channels to depth's two moments", "b", 0, 0, "100", "none", false, ["decode_deviation", "decode_rg16"]],
-    ["warp_depth", "warp_depth", "depth on the scale of exponential shadow maps", "b", 0, 0, "100", "none", false, ["exp2_polynomial"]],
-    ["encode_esm", "encode_esm", "depth to a texel of an exponential shadow map", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
-    ["decode_esm", "decode_esm", "mean of texels of an exponential shadow map to visibility", "b", 0, 0, "100", "none", false, ["forward_depth", "warp_depth"]],
-    ["encode_evsm2", "encode_evsm2", "depth to a texel of two components", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
-    ["encode_evsm4", "encode_evsm4", "depth to a texel of four components", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
-    ["decode_evsm2", "decode_evsm2", "mean of texels of two components to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth", "saturate", "warp_depth"]],
-    ["decode_evsm4", "decode_evsm4", "mean of texels of four components to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth", "saturate", "warp_depth"]],
-    ["encode_msm", "encode_msm", "depth to its first four powers on [-1, 1]", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth"]],
-    ["turn_moments", "turn_moments", "four moments to four channels of 16 bits", "b", 0, 0, "100", "none", false, []],
+    ["chebyshev", "chebyshev", "most that mean and variance let be lit", "c", 11, 0, "100", "none", false, []],
+    ["bleed_cut", "bleed_cut", "visibility without its least values", "c", 5, 0, "100", "none", false, []],
+    ["encode_vsm", "encode_vsm", "depth to a texel of a variance shadow map", "b", 3, 0, "100", "none", false, ["saturate", "forward_depth"]],
+    ["decode_vsm", "decode_vsm", "mean of texels of a variance shadow map to visibility", "c", 13, 0, "100", "none", false, ["chebyshev", "forward_depth"]],
+    ["encode_deviation", "encode_deviation", "depth's two moments to mean and deviation", "c", 7, 0, "100", "none", false, []],
+    ["decode_deviation", "decode_deviation", "mean and deviation to depth's two moments", "b", 5, 0, "100", "none", false, []],
+    ["decode_deviation_rgba8", "decode_deviation_rgba8", "mean and deviation in four channels to depth's two moments", "b", 21, 0, "100", "none", false, ["decode_deviation", "decode_rg16"]],
+    ["warp_depth", "warp_depth", "depth on the scale of exponential shadow maps", "b", 31, 0, "100", "none", false, ["exp2_polynomial"]],
+    ["encode_esm", "encode_esm", "depth to a texel of an exponential shadow map", "b", 36, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
+    ["decode_esm", "decode_esm", "mean of texels of an exponential shadow map to visibility", "b", 37, 0, "100", "none", false, ["forward_depth", "warp_depth"]],
+    ["encode_evsm2", "encode_evsm2", "depth to a texel of two components", "b", 73, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
+    ["encode_evsm4", "encode_evsm4", "depth to a texel of four components", "b", 73, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
+    ["decode_evsm2", "decode_evsm2", "mean of texels of two components to visibility", "c", 229, 0, "100", "none", false, ["chebyshev", "forward_depth", "saturate", "warp_depth"]],
+    ["decode_evsm4", "decode_evsm4", "mean of texels of four components to visibility", "c", 229, 0, "100", "none", false, ["chebyshev", "forward_depth", "saturate", "warp_depth"]],
+    ["encode_msm", "encode_msm", "depth to its first four powers on [-1, 1]", "b", 15, 0, "100", "none", false, ["saturate", "forward_depth"]],
+    ["turn_moments", "turn_moments", "four moments to four channels of 16 bits", "b", 4, 0, "100", "none", false, []],
     ["hausdorff_share", "hausdorff_share", "least share of depths before a receiver, of depths on [-1, 1]", "c", 0, 1 / 1048576, "100", "none", false, []],
     ["decode_msm_hausdorff", "decode_msm_hausdorff", "mean of four moments of depths on [-1, 1] to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "decode_msm", "forward_depth", "hausdorff_share"]],
-    ["fetch_bilinear", "fetch_bilinear", "mean of the four texels around a point", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
-    ["vsm", "vsm", "visibility from a map of encode_vsm's texels", "c", 1, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_vsm"]],
-    ["esm", "esm", "visibility from a map of encode_esm's texels", "b", 0, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_esm"]],
-    ["evsm2", "evsm2", "visibility from a map of encode_evsm2's texels", "c", 1, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_evsm2"]],
-    ["evsm4", "evsm4", "visibility from a map of encode_evsm4's texels", "c", 1, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_evsm4"]],
+    ["fetch_bilinear", "fetch_bilinear", "mean of the four texels around a point", "b", 12, 0, "100", "none", false, ["fetch_clamped"]],
+    ["vsm", "vsm", "visibility from a map of encode_vsm's texels", "c", 109, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_vsm"]],
+    ["esm", "esm", "visibility from a map of encode_esm's texels", "b", 49, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_esm"]],
+    ["evsm2", "evsm2", "visibility from a map of encode_evsm2's texels", "c", 139, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_evsm2"]],
+    ["evsm4", "evsm4", "visibility from a map of encode_evsm4's texels", "c", 139, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_evsm4"]],
     ["msm", "msm", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm"]],
     ["msm_turned", "msm_turned", "visibility from a map of turned moments", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm", "turn_moments_back"]],
     ["msm_hausdorff", "msm_hausdorff", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm_hausdorff"]],
@@ -13367,27 +13540,27 @@ const rows = [
     ["decode_vsm_hardware", "decode_vsm_hardware", "mean and deviation to visibility, the cheapest way", "c", 0, 1 / 1024, "100", "none", false, ["chebyshev_hardware", "forward_depth"]],
     ["decode_evsm2_hardware", "decode_evsm2_hardware", "mean of texels of two components to visibility, by the GPU's own exp2", "c", 0, 1 / 64, "100", "none", false, ["chebyshev_hardware", "forward_depth"]],
     ["decode_evsm4_hardware", "decode_evsm4_hardware", "mean of texels of four components to visibility, by the GPU's own exp2", "c", 0, 1 / 64, "100", "none", false, ["chebyshev_hardware", "forward_depth"]],
-    ["blur_row3", "blur_row3", "mean of texels in a row", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
-    ["blur_row5", "blur_row5", "mean of texels in a row", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
-    ["blur_row7", "blur_row7", "mean of texels in a row", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
-    ["halve_texels", "halve_texels", "mean of 2x2 texels", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
-    ["texels_to_world", "texels_to_world", "texels across a light as world units", "b", 0, 0, "100", "none", false, []],
+    ["blur_row3", "blur_row3", "mean of texels in a row", "b", 7, 0, "100", "none", false, ["fetch_clamped"]],
+    ["blur_row5", "blur_row5", "mean of texels in a row", "b", 12, 0, "100", "none", false, ["fetch_clamped"]],
+    ["blur_row7", "blur_row7", "mean of texels in a row", "b", 17, 0, "100", "none", false, ["fetch_clamped"]],
+    ["halve_texels", "halve_texels", "mean of 2x2 texels", "b", 8, 0, "100", "none", false, ["fetch_clamped"]],
+    ["texels_to_world", "texels_to_world", "texels across a light as world units", "b", 2, 0, "100", "none", false, []],
     ["clamp_bias", "clamp_bias", "clamp of a bias to [0, 1], NaN to 1", "a", 0, 0, "100", "none", false, []],
-    ["world_to_depth", "world_to_depth", "world units along a light as depth", "c", 1, 0, "100", "none", false, ["clamp_bias"]],
-    ["biased", "biased", "receiver moved towards the light", "b", 0, 0, "100", "none", false, ["cleared_depth"]],
+    ["world_to_depth", "world_to_depth", "world units along a light as depth", "c", 5, 0, "100", "none", false, ["clamp_bias"]],
+    ["biased", "biased", "receiver moved towards the light", "b", 1, 0, "100", "none", false, ["cleared_depth"]],
     ["clamp_slope", "clamp_slope", "clamp of a slope to [-2, 2], NaN to 2", "a", 0, 0, "100", "none", false, []],
-    ["plane_slope", "plane_slope", "change of a plane's depth from texel to texel", "c", 1, 0, "100", "none", false, ["clamp_slope"]],
-    ["slope_bias", "slope_bias", "bias by the greater slope, as rasterizers have it", "b", 0, 0, "100", "none", false, ["clamp_bias"]],
-    ["normal_offset", "normal_offset", "way off a surface to the point that is looked up in its place", "c", 1, 0, "100", "none", false, []],
-    ["kernel_bias", "kernel_bias", "bias by the kernel's width and the angle at which light falls", "c", 1, 0, "100", "none", false, []],
-    ["receiver_plane", "receiver_plane", "slope of a receiver's plane from derivatives, and how far it may be off", "c", 1, 0, "100", "none", false, ["clamp_slope"]],
-    ["on_receiver_plane", "on_receiver_plane", "stored depth moved along the receiver's plane to the receiver", "b", 0, 0, "100", "none", false, ["cleared_depth"]],
-    ["acne_free_bias", "acne_free_bias", "smallest bias without acne, for a slope, a reach and an encoding's error", "b", 0, 0, "100", "none", false, ["clamp_bias"]],
-    ["acne_free_disc_bias", "acne_free_disc_bias", "smallest bias without acne, for filters that read a disc", "c", 1, 0, "100", "none", false, ["clamp_bias"]],
-    ["detachment", "detachment", "depth before a receiver within which its bias loses a caster's shadow", "b", 0, 0, "100", "none", false, ["acne_free_bias"]],
-    ["spot_cone", "spot_cone", "1 inside a spot light's cone", "b", 0, 0, "100", "none", false, []],
-    ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 0, 0, "100", "none", false, []],
-    ["false_colour", "false_colour", "0..1 to blue, green, red", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["plane_slope", "plane_slope", "change of a plane's depth from texel to texel", "c", 27, 0, "100", "none", false, ["clamp_slope"]],
+    ["slope_bias", "slope_bias", "bias by the greater slope, as rasterizers have it", "b", 2, 0, "100", "none", false, ["clamp_bias"]],
+    ["normal_offset", "normal_offset", "way off a surface to the point that is looked up in its place", "c", 91, 0, "100", "none", false, []],
+    ["kernel_bias", "kernel_bias", "bias by the kernel's width and the angle at which light falls", "c", 30, 0, "100", "none", false, []],
+    ["receiver_plane", "receiver_plane", "slope of a receiver's plane from derivatives, and how far it may be off", "c", 31, 0, "100", "none", false, ["clamp_slope"]],
+    ["on_receiver_plane", "on_receiver_plane", "stored depth moved along the receiver's plane to the receiver", "b", 8, 0, "100", "none", false, ["cleared_depth"]],
+    ["acne_free_bias", "acne_free_bias", "smallest bias without acne, for a slope, a reach and an encoding's error", "b", 4, 0, "100", "none", false, ["clamp_bias"]],
+    ["acne_free_disc_bias", "acne_free_disc_bias", "smallest bias without acne, for filters that read a disc", "c", 13, 0, "100", "none", false, ["clamp_bias"]],
+    ["detachment", "detachment", "depth before a receiver within which its bias loses a caster's shadow", "b", 4, 0, "100", "none", false, ["acne_free_bias"]],
+    ["spot_cone", "spot_cone", "1 inside a spot light's cone", "b", 11, 0, "100", "none", false, []],
+    ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 5, 0, "100", "none", false, []],
+    ["false_colour", "false_colour", "0..1 to blue, green, red", "b", 3, 0, "100", "none", false, ["saturate"]],
     ["overlay_texel", "overlay_texel", "which texel of a map stretched over the picture's corner a pixel shows, along one side", "a", 0, 0, "100", "none", false, []],
     ["hooks/cleared_depth, forward", "cleared_depth", "cleared_depth, forward", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/cleared_depth, reversed", "cleared_depth", "cleared_depth, reversed", "a", 0, 0, "100", "chosen", false, []],
@@ -13411,36 +13584,91 @@ const rows = [
     ["hooks/lit_2x2, gathered", "lit_2x2", "lit_2x2, gathered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered in a region", "lit_2x2", "lit_2x2, gathered in a region", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "cleared_depth"]],
-    ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "a", 0, 0, "100", "chosen", false, ["before_far"]],
-    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "a", 0, 0, "100", "chosen", false, ["before_far", "compare", "cleared_depth"]],
-    ["hooks/lit_at, sampled", "lit_at", "lit_at, sampled", "a", 0, 0, "100", "chosen", false, []],
-    ["hooks/depth_at, sampled", "depth_at", "depth_at, sampled", "a", 0, 0, "100", "chosen", false, ["hooks/decode"]],
+    ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "c", 0, 1 / 128, "100", "chosen", false, ["before_far"]],
+    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "c", 0, 1 / 128, "100", "chosen", false, ["before_far", "compare", "cleared_depth"]],
+    ["hooks/lit_at, sampled", "lit_at", "lit_at, sampled", "c", 0, 1 / 128, "100", "chosen", false, []],
+    ["hooks/depth_at, sampled", "depth_at", "depth_at, sampled", "c", 4, 0, "100", "chosen", false, ["hooks/decode"]],
 ];
-const all = new Map(rows.map(([id, name, summary, exactness, ulp, within, lowest, role, scaled]) =>
-    [id, { id, name, summary, exactness, ulp, within, lowest, role, scaled, needs: [] }]));
+const all = new Map(rows.map(([id, name, summary, exactness, operations, within, lowest, role, scaled]) =>
+    [id, { id, name, summary, exactness, operations, within, lowest, role, scaled, needs: [] }]));
 for (const [id, , , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => all.get(need)));
 const part = variants => Object.fromEntries([...all]
     .filter(([id]) => id.startsWith('hooks/') === variants).map(([id, s]) => [id.replace('hooks/', ''), s]));
 const hooks = part(true);
 export const snippets = part(false);
 export const encodings = {
-    rg9: { depth: "umbrage_decode_rg9(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg9] },
-    rg10: { depth: "umbrage_decode_rg10(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg10] },
-    rg11: { depth: "umbrage_decode_rg11(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg11] },
-    rg12: { depth: "umbrage_decode_rg12(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg12] },
-    rg13: { depth: "umbrage_decode_rg13(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg13] },
-    rg14: { depth: "umbrage_decode_rg14(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg14] },
-    rg15: { depth: "umbrage_decode_rg15(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg15] },
-    rg16: { depth: "umbrage_decode_rg16(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg16] },
-    rgb24: { depth: "umbrage_decode_rgb24(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb24] },
-    float_bits: { depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits] },
-    threejs_rgba: { depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba] },
-    threejs_rgb: { depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb] },
-    threejs_rg: { depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg] },
-    threejs_legacy: { depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy] },
-    threejs_legacy: { depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy] },
-    base255: { depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255] },
-    base255: { depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255] },
+    depth32f: { direction: "forward", depth: "", channels: 1, needs: [],
+        write: snippets.saturate, writes: "depth", cleared: [1, 0, 0, 0],
+        reversed: { direction: "reversed", depth: "", channels: 1, needs: [],
+        write: snippets.saturate, writes: "depth", cleared: [0, 0, 0, 0] } },
+    rg9: { direction: "forward", depth: "umbrage_decode_rg9(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg9],
+        write: snippets.encode_rg9, writes: "bytes", cleared: [255 / 255, 128 / 255, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rg9(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg9],
+        write: snippets.encode_rg9, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+    rg10: { direction: "forward", depth: "umbrage_decode_rg10(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg10],
+        write: snippets.encode_rg10, writes: "bytes", cleared: [255 / 255, 192 / 255, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rg10(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg10],
+        write: snippets.encode_rg10, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+    rg11: { direction: "forward", depth: "umbrage_decode_rg11(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg11],
+        write: snippets.encode_rg11, writes: "bytes", cleared: [255 / 255, 224 / 255, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rg11(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg11],
+        write: snippets.encode_rg11, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+    rg12: { direction: "forward", depth: "umbrage_decode_rg12(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg12],
+        write: snippets.encode_rg12, writes: "bytes", cleared: [255 / 255, 240 / 255, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rg12(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg12],
+        write: snippets.encode_rg12, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+    rg13: { direction: "forward", depth: "umbrage_decode_rg13(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg13],
+        write: snippets.encode_rg13, writes: "bytes", cleared: [255 / 255, 248 / 255, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rg13(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg13],
+        write: snippets.encode_rg13, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+    rg14: { direction: "forward", depth: "umbrage_decode_rg14(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg14],
+        write: snippets.encode_rg14, writes: "bytes", cleared: [255 / 255, 252 / 255, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rg14(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg14],
+        write: snippets.encode_rg14, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+    rg15: { direction: "forward", depth: "umbrage_decode_rg15(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg15],
+        write: snippets.encode_rg15, writes: "bytes", cleared: [255 / 255, 254 / 255, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rg15(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg15],
+        write: snippets.encode_rg15, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+    rg16: { direction: "forward", depth: "umbrage_decode_rg16(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg16],
+        write: snippets.encode_rg16, writes: "bytes", cleared: [255 / 255, 255 / 255, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rg16(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg16],
+        write: snippets.encode_rg16, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+    rgb24: { direction: "forward", depth: "umbrage_decode_rgb24(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb24],
+        write: snippets.encode_rgb24, writes: "bytes", cleared: [255 / 255, 255 / 255, 255 / 255, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rgb24(value.xyz, 0.0)", channels: 3, needs: [snippets.decode_rgb24],
+        write: snippets.encode_rgb24, writes: "bytes", cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
+    float_bits: { direction: "forward", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
+        write: snippets.encode_float_bits, writes: "bytes", cleared: [0 / 255, 0 / 255, 128 / 255, 63 / 255],
+        reversed: { direction: "reversed", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
+        write: snippets.encode_float_bits, writes: "bytes", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+    threejs_rgba: { direction: "forward", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
+        write: snippets.write_threejs_rgba, writes: "values", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
+        reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
+        write: snippets.write_threejs_rgba, writes: "values", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+    threejs_rgb: { direction: "forward", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
+        write: snippets.write_threejs_rgb, writes: "values", cleared: [255 / 255, 255 / 255, 255 / 255, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
+        write: snippets.write_threejs_rgb, writes: "values", cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
+    threejs_rg: { direction: "forward", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
+        write: snippets.write_threejs_rg, writes: "values", cleared: [255 / 255, 255 / 255, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
+        write: snippets.write_threejs_rg, writes: "values", cleared: [0 / 255, 0 / 255, 0, 0] } },
+    threejs_legacy: { direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
+        write: snippets.write_threejs_legacy, writes: "values", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
+        reversed: { direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
+        write: snippets.write_threejs_legacy, writes: "values", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+    threejs_legacy_repaired: { direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
+        write: snippets.encode_threejs_legacy_repaired, writes: "bytes", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
+        reversed: { direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
+        write: snippets.encode_threejs_legacy_repaired, writes: "bytes", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+    base255: { direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
+        write: snippets.write_base255, writes: "values", cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
+        reversed: { direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
+        write: snippets.write_base255, writes: "values", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+    base255_repaired: { direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
+        write: snippets.encode_base255_repaired, writes: "bytes", cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
+        reversed: { direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
+        write: snippets.encode_base255_repaired, writes: "bytes", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
 };
 export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');

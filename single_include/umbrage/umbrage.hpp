@@ -71,6 +71,10 @@
 //     umbrage::set_error_handler([](const char* message) { log(message); std::exit(1); });  // with -fno-exceptions
 //
 
+#if defined(GLM_FORCE_CXX98) || defined(GLM_FORCE_CXX03)
+#error "umbrage needs GLM's constexpr, which GLM_FORCE_CXX98 and GLM_FORCE_CXX03 switch off: define neither"
+#endif
+
 // A function that is compiled for whatever instruction set its caller is compiled for.
 #if defined(__GNUC__) || defined(__clang__)
 #define UMBRAGE_INLINE __attribute__((always_inline))
@@ -161,10 +165,14 @@ struct literal : std::string_view {
 namespace umbrage::glsl {
 
 /// How exactly a snippet and its C++ twin agree.
-///   a  bit for bit on every implementation: every intermediate is representable, so nothing can round
-///   b  bit for bit where + - * round to nearest in written order; a few ulp elsewhere
-///   c  within snippet::ulp units in the last place on every implementation tried: division, square root; or within
-///      snippet::within, where the hardware has weights of its own
+///   a  bit for bit on every implementation with 32-bit floats: no grouping of a sum rounds, or what it rounds is less
+///      than the margin of the floor or comparison that follows
+///   b  bit for bit where + - * round to nearest in written order; in any order, fused or not, within the bound
+///   c  within the bound on every implementation, or within snippet::within of C++
+/// The bound is n 2^-23 S from the result in real arithmetic. n is snippet::operations. S is the formula with every
+/// value's magnitude, at least 2^-103, and every minus a plus; a quotient a / b has S(a) S(b) / b^2. Where a comparison
+/// or floor decides, the bound is on what it decides about, and inside it either side is promised. There is no bound
+/// where S is above the greatest float.
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -250,8 +258,9 @@ struct snippet {
     literal name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
     literal summary{};  ///< one line
     tier exactness = tier::a;
-    int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
-    float within = 0.0f;             ///< tier c without ulp: greatest difference from the C++ twin
+    int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
+    float within = 0.0f;      ///< tier c without n: greatest difference from the C++ twin
+    bool as_written = false;  ///< `within` holds where + - * round to nearest in written order, no bound elsewhere
     version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     snippet_span needs{};            ///< a list<>
     hook role = hook::none;
@@ -261,6 +270,16 @@ struct snippet {
     /// No two have one name.
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
+
+/// What a snippet promises in a word, e.g. "A", "B, n = 6", "C, 1/128".
+[[nodiscard]] inline std::string promise(const snippet& s) {
+    if (s.exactness == tier::a) return "A";
+    std::string text = s.exactness == tier::b ? "B, " : "C, ";
+    if (s.within > 0.0f)
+        text += "1/" + std::to_string(static_cast<int>(1.0f / s.within)) + (s.as_written ? " as written" : "");
+    else text += "n = " + std::to_string(s.operations);
+    return text;
+}
 
 /// Those that one needs.
 template <const snippet*... Snippets>
@@ -336,13 +355,14 @@ namespace umbrage {
 /// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what
 /// goes clockwise for the light goes clockwise in NDC, y up.
 enum class handedness { right, left };
-enum class depth_range { zero_to_one, minus_one_to_one };  ///< of z/w between the planes
-enum class depth_direction { forward, reversed };          ///< reversed: the near plane has the greater depth
-enum class texture_origin { bottom, top };                 ///< where texel (0, 0) is: at NDC y = -1, or y = +1
+enum class depth_range { unset, zero_to_one, minus_one_to_one };  ///< of z/w between the planes
+enum class depth_direction { forward, reversed };                 ///< reversed: the near plane has the greater depth
+enum class texture_origin { bottom, top };                        ///< where texel (0, 0) is: at NDC y = -1, or y = +1
 
+/// Nothing can guess it, and a wrong one makes everything lit: functions refuse one whose range is unset.
 struct clip_space {
     handedness hand = handedness::right;
-    depth_range range = depth_range::zero_to_one;
+    depth_range range = depth_range::unset;
     depth_direction direction = depth_direction::forward;
     texture_origin origin = texture_origin::bottom;
 
@@ -353,15 +373,64 @@ struct clip_space {
 inline constexpr clip_space opengl_clip_space{.range = depth_range::minus_one_to_one};
 
 /// Right-handed world, z/w in [0, 1]; the first texel is at NDC y = -1, which Vulkan draws at the top.
-inline constexpr clip_space vulkan_clip_space{};
+inline constexpr clip_space vulkan_clip_space{.range = depth_range::zero_to_one};
 
 /// Left-handed world, as D3DXMatrixLookAtLH has it, z/w in [0, 1], texels from the top.
-inline constexpr clip_space direct3d_clip_space{.hand = handedness::left, .origin = texture_origin::top};
+inline constexpr clip_space direct3d_clip_space{
+    .hand = handedness::left, .range = depth_range::zero_to_one, .origin = texture_origin::top};
 
 /// Right-handed world, z/w in [0, 1], texels from the top: WebGPU as three.js and glTF viewers use it, and right-handed
 /// worlds under Direct3D. WebGPU and Metal have no hand of their own: for a left-handed world take direct3d_clip_space.
-inline constexpr clip_space webgpu_clip_space{.origin = texture_origin::top};
+inline constexpr clip_space webgpu_clip_space{.range = depth_range::zero_to_one, .origin = texture_origin::top};
 inline constexpr clip_space metal_clip_space = webgpu_clip_space;
+
+/// Left-handed world, y up, depth reversed, texels from the top. Under OpenGL z/w is in [-1, 1], depth forward, and
+/// texels start at the bottom.
+inline constexpr clip_space unity_clip_space{.hand = handedness::left,
+                                             .range = depth_range::zero_to_one,
+                                             .direction = depth_direction::reversed,
+                                             .origin = texture_origin::top};
+inline constexpr clip_space unity_opengl_clip_space{.hand = handedness::left, .range = depth_range::minus_one_to_one};
+
+/// As Unity's. The world's up is z: give set-ups .up = {0, 0, 1}.
+inline constexpr clip_space unreal_clip_space = unity_clip_space;
+
+/// Godot 4.3 and later: right-handed world, depth reversed, the first texel at NDC y = -1.
+inline constexpr clip_space godot_clip_space{.range = depth_range::zero_to_one, .direction = depth_direction::reversed};
+
+/// Right-handed world, z/w in [0, 1], texels from the bottom: where no API draws, as in tests and on the CPU.
+inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one};
+
+/// Those of APIs and engines, with their names.
+struct named_clip_space {
+    literal name;
+    clip_space value;
+};
+inline constexpr named_clip_space clip_spaces[]{{"opengl_clip_space", opengl_clip_space},
+                                                {"vulkan_clip_space", vulkan_clip_space},
+                                                {"direct3d_clip_space", direct3d_clip_space},
+                                                {"webgpu_clip_space", webgpu_clip_space},
+                                                {"metal_clip_space", metal_clip_space},
+                                                {"unity_clip_space", unity_clip_space},
+                                                {"unity_opengl_clip_space", unity_opengl_clip_space},
+                                                {"unreal_clip_space", unreal_clip_space},
+                                                {"godot_clip_space", godot_clip_space}};
+
+namespace detail {
+
+inline void refuse_unset(const char* function, const char* argument) {
+    std::string message = "umbrage::";
+    for (const char* part : {function, ": ", argument, " must be given; got unset. Use "}) message += part;
+    for (const named_clip_space& each : clip_spaces) message.append(each.name).append(", ");
+    fail(message + "or cpu_clip_space where no API draws");
+}
+
+/// Refuses a clip space that nobody gave, in the name of a function whose argument it is.
+constexpr void require_given(clip_space clip, const char* function, const char* argument = "clip") {
+    if (clip.range == depth_range::unset) refuse_unset(function, argument);
+}
+
+}  // namespace detail
 
 /// The depth of the far plane, to which a map is cleared.
 [[nodiscard]] constexpr float cleared_depth(depth_direction direction) {
@@ -405,23 +474,24 @@ namespace umbrage {
 template <class T>
 concept real = std::same_as<T, float> || std::same_as<T, double>;
 
-/// Tests the bits, so that -ffast-math cannot remove it.
-[[nodiscard]] constexpr bool is_nan(float v) {
-    return (detail::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) > 0x7F800000u;
-}
+/// Tests the bits, so that -ffast-math cannot remove it. The sign is shifted out: clang 22 removes a masked comparison.
+[[nodiscard]] constexpr bool is_nan(float v) { return (detail::bit_cast<std::uint32_t>(v) << 1) > 0xFF000000u; }
 [[nodiscard]] constexpr bool is_nan(double v) {
-    return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) > 0x7FF0000000000000ull;
+    return (detail::bit_cast<std::uint64_t>(v) << 1) > 0xFFE0000000000000ull;
 }
 
 /// True for everything but NaN and the infinities.
-[[nodiscard]] constexpr bool is_finite(float v) {
-    return (detail::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) < 0x7F800000u;
-}
+[[nodiscard]] constexpr bool is_finite(float v) { return (detail::bit_cast<std::uint32_t>(v) << 1) < 0xFF000000u; }
 [[nodiscard]] constexpr bool is_finite(double v) {
-    return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
+    return (detail::bit_cast<std::uint64_t>(v) << 1) < 0xFFE0000000000000ull;
 }
 
 namespace detail {
+
+/// Above all other numbers: where a search for the least starts. It stands for infinity, which -ffinite-math-only turns
+/// into nonsense. In parentheses, as max may be a macro.
+template <class T>
+inline constexpr T highest = (std::numeric_limits<T>::max)();
 
 /// Of a vector or a matrix: true when no element is NaN or infinite.
 template <class Elements>
@@ -439,15 +509,15 @@ template <class Elements>
 }  // namespace detail
 
 /// Clamps to [0, 1]. NaN of either sign becomes far, the cleared depth; -0 becomes +0.
-/// @param far   1, or 0 where depth is reversed
-/// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : far))
+/// @param cleared   1, or 0 where depth is reversed
+/// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : cleared))
 /// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
 ///              flushing mode takes a denormal
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T saturate(T v, T far = T(1)) {
+[[nodiscard]] UMBRAGE_INLINE constexpr T saturate(T v, T cleared = T(1)) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
     const auto own = detail::bit_cast<bits>(v), one = detail::bit_cast<bits>(T(1)), below = own < one ? own : one;
-    return detail::bit_cast<T>(is_nan(v) ? detail::bit_cast<bits>(far) : (below > 0 ? below : 0));
+    return detail::bit_cast<T>(is_nan(v) ? detail::bit_cast<bits>(cleared) : (below > 0 ? below : 0));
 }
 
 namespace glsl {
@@ -573,7 +643,7 @@ template <real T, class Compare = less_equal>
 /// Visibility as the DirectX SDK's ShadowMap sample tests it.
 /// @param receiver, stored   depths;   epsilon  in depth, added to the stored side
 /// @return        0 when stored + epsilon < receiver, else 1: NaN is lit here
-/// @exactness     B: one sum
+/// @exactness     B, n = 1: one sum
 /// @cite          Microsoft DirectX SDK, ShadowMap sample
 template <real T>
 [[nodiscard]] constexpr T compare_dx_sdk(T receiver, T stored, T epsilon) {
@@ -584,7 +654,7 @@ template <real T>
 /// Visibility as the directional-light exercise tests it.
 /// @param current, stored    depths;   epsilon  in depth, added to the stored side
 /// @return        1 when current < stored + epsilon, else 0: NaN is in shadow here
-/// @exactness     B: one sum
+/// @exactness     B, n = 1: one sum
 template <real T>
 [[nodiscard]] constexpr T compare_exercise(T current, T stored, T epsilon) {
     const T limit = stored + epsilon;
@@ -655,6 +725,7 @@ inline constexpr snippet compare_dx_sdk{
     .name = "compare_dx_sdk",
     .summary = "stored + epsilon < receiver is shadow",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
 UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
@@ -669,6 +740,7 @@ inline constexpr snippet compare_exercise{
     .name = "compare_exercise",
     .summary = "current < stored + epsilon is lit",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
 UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,
@@ -709,7 +781,7 @@ template <real T>
 /// @param is_lit     less_equal, greater_equal or comparison: the filter's own
 /// @return           the receiver that a filter compares
 /// @formula          receiver - bias; receiver + bias where depth is reversed
-/// @exactness        B: one sum
+/// @exactness        B, n = 1: one sum
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr T biased(T receiver, T bias, const Compare& is_lit = {}) {
     constexpr T beyond(0x1p64);
@@ -736,6 +808,7 @@ inline constexpr snippet biased{
     .name = "biased",
     .summary = "receiver moved towards the light",
     .exactness = tier::b,
+    .operations = 1,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
@@ -957,6 +1030,10 @@ struct any_fetch {
     float operator()(glm::ivec2 texel) const;
 };
 
+/// A vector that GLM would cut down to a glm::vec2 without a warning: filters delete the call that takes it.
+template <class Coord>
+concept longer_than_vec2 = (Coord::length() > 2);
+
 }  // namespace detail
 
 /// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.
@@ -1018,7 +1095,7 @@ inline constexpr T snapping_reach = T(1) / T(128);
 /// @formula       reach (|slope.x| + |slope.y|) + error + 2^-23, the last for rounding in binary32 of depth once it is
 ///                there; what a matrix in floats lost of it before, some 2^-22 of a z/w near 1, is to be added to error
 /// @detaches      casters nearer to the receiver than detachment() lose their shadow
-/// @exactness     B
+/// @exactness     B, n = 4
 template <real T>
 [[nodiscard]] constexpr T acne_free_bias(glm::vec<2, T> slope, T reach, T error) {
     const T sum = (slope.x < T(0) ? -slope.x : slope.x) + (slope.y < T(0) ? -slope.y : slope.y);
@@ -1032,7 +1109,7 @@ template <real T>
 ///                       half a texel, and 1/128 for the points' rounding, farther
 /// @return               0 .. 1; 1 for what is infinite, and for NaN
 /// @formula              radius |slope| + (1/2 + 1/128) (|slope.x| + |slope.y|) + error + 2^-23
-/// @exactness            C: a square root, of which GLSL allows a few ulp; 0 seen
+/// @exactness            C, n = 13: a square root, of which GLSL allows a few ulp; 0 seen
 template <real T>
 [[nodiscard]] T acne_free_disc_bias(glm::vec<2, T> slope, T radius, T error) {
     const T sum = std::abs(slope.x) + std::abs(slope.y);
@@ -1061,7 +1138,7 @@ template <real T>
 /// @formula              bias + reach (|caster_slope.x| + |caster_slope.y|) + 2^-23. On a floor beside a wall that
 ///                       stands square to it light leaks in for bias sin(t), t between the floor's normal and the
 ///                       light: in world units at most sqrt(2) reach texel tan(t) sin(t)
-/// @exactness            B
+/// @exactness            B, n = 4
 template <real T>
 [[nodiscard]] constexpr T detachment(T bias, glm::vec<2, T> caster_slope, T reach) {
     return acne_free_bias(caster_slope, reach, bias);
@@ -1073,6 +1150,7 @@ inline constexpr snippet acne_free_bias{
     .name = "acne_free_bias",
     .summary = "smallest bias without acne, for a slope, a reach and an encoding's error",
     .exactness = tier::b,
+    .operations = 4,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
 // umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
@@ -1091,7 +1169,7 @@ inline constexpr snippet acne_free_disc_bias{
     .name = "acne_free_disc_bias",
     .summary = "smallest bias without acne, for filters that read a disc",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 13,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
 // umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
@@ -1112,6 +1190,7 @@ inline constexpr snippet detachment{
     .name = "detachment",
     .summary = "depth before a receiver within which its bias loses a caster's shadow",
     .exactness = tier::b,
+    .operations = 4,
     .needs = list<&acne_free_bias>,
     .source = R"GLSL(
 // umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
@@ -1151,7 +1230,7 @@ namespace umbrage {
 /// @formula           width min(|normal x direction| / -(normal . way), greatest), a tangent: up to the greatest one,
 ///                    acne_free_bias without its constant part, times 1 to sqrt(2), whichever way the plane is turned
 /// @detaches          casters nearer than the bias along the light lose their shadow: at most width greatest
-/// @exactness         C: a square root and a division, of each of which GLSL allows a few ulp; 0 seen
+/// @exactness         C, n = 30: a square root and a division, of each of which GLSL allows a few ulp; 0 seen
 template <real T>
 [[nodiscard]] T kernel_bias(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width, T greatest) {
     const T x = normal.y * direction.z + normal.z * -direction.y;
@@ -1170,7 +1249,7 @@ inline constexpr snippet kernel_bias{
     .name = "kernel_bias",
     .summary = "bias by the kernel's width and the angle at which light falls",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 30,
     .source = R"GLSL(
 // umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
 //   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
@@ -1196,11 +1275,119 @@ inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/simd/algorithm.hpp
+// What the library needs of <algorithm>. To include that takes a quarter as long as all else that programs with shadow
+// maps include of the standard library and of GLM.
+//
+//     detail::sort(points, [](glm::vec2 a, glm::vec2 b) { return a.x < b.x; });
+//
+
+namespace umbrage::detail {
+
+/// std::min, std::max and std::clamp, by value, by names that no platform's header defines as macros.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b) {
+    return b < a ? b : a;
+}
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b) {
+    return a < b ? b : a;
+}
+
+/// Of vectors, element by element.
+template <class V>
+concept has_elements = requires {
+    V::length();
+};
+template <has_elements V>
+[[nodiscard]] UMBRAGE_INLINE constexpr V lesser(V a, V b) {
+    for (decltype(V::length()) i = 0; i < V::length(); ++i) a[i] = lesser(a[i], b[i]);
+    return a;
+}
+template <has_elements V>
+[[nodiscard]] UMBRAGE_INLINE constexpr V greater(V a, V b) {
+    for (decltype(V::length()) i = 0; i < V::length(); ++i) a[i] = greater(a[i], b[i]);
+    return a;
+}
+
+template <class T, class... More>
+[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b, More... more) {
+    return lesser(lesser(a, b), more...);
+}
+template <class T, class... More>
+[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b, More... more) {
+    return greater(greater(a, b), more...);
+}
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T limited(T v, T low, T high) {
+    return v < low ? low : (high < v ? high : v);
+}
+
+/// std::copy_n and std::fill_n.
+template <class T>
+UMBRAGE_INLINE constexpr void copy(const T* from, std::size_t count, T* to) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = from[i];
+}
+template <class T>
+UMBRAGE_INLINE constexpr void fill(T* to, std::size_t count, const T& value) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = value;
+}
+
+/// Merges runs twice as long in each turn; what is equal stays in its order.
+/// @param before   (const T&, const T&)
+template <class T, class Before>
+void sort(std::vector<T>& all, const Before& before) {
+    for (std::size_t run = 1; run < all.size(); run *= 2) {
+        const std::vector<T> from = all;
+        for (std::size_t to = 0; to < all.size();) {
+            std::size_t a = to, b = lesser(to + run, all.size());
+            const std::size_t end_a = b, end_b = lesser(b + run, all.size());
+            while (to < end_b)
+                all[to++] = a < end_a && !(b < end_b && before(from[b], from[a])) ? from[a++] : from[b++];
+        }
+    }
+}
+
+/// How many elements, from the first on, are `in_front`, as those behind them are not.
+template <class T, class InFront>
+[[nodiscard]] std::size_t count_in_front(const std::vector<T>& sorted, const InFront& in_front) {
+    std::size_t first = 0;
+    for (std::size_t last = sorted.size(); first < last;) {
+        const std::size_t middle = first + (last - first) / 2;
+        if (in_front(sorted[middle])) first = middle + 1;
+        else last = middle;
+    }
+    return first;
+}
+
+/// The element that would be all[rank], were all sorted; changes their order. None may be a NaN.
+/// @cite   Hoare: Algorithm 65: find, 1961
+template <class T>
+[[nodiscard]] T ranked(std::vector<T>& all, std::size_t rank) {
+    for (std::size_t first = 0, last = all.size() - 1; first < last;) {
+        const T pivot = all[rank];
+        std::size_t i = first, end = last + 1;
+        while (i < end) {
+            while (all[i] < pivot) ++i;
+            while (pivot < all[end - 1]) --end;
+            if (i >= end) break;
+            std::swap(all[i++], all[--end]);
+        }
+        if (rank < end) last = end - 1;
+        else if (rank >= i) first = i;
+        else break;
+    }
+    return all[rank];
+}
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/light/light_space.hpp
 // A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
 // matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
 //
-//     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
+//     auto light = umbrage::make_spot_light(
+//         {.position = {0, 5, 0}, .direction = {0, -1, 0}, .clip = umbrage::opengl_clip_space});
 //     glm::mat4 clip_from_world = light.projection * light.view;
 //
 
@@ -1223,25 +1410,32 @@ inline void require(bool met, const char* function, const char* arguments, const
     fail(message);
 }
 
+/// The same, and the number that was given.
+inline void require(bool met, const char* function, const char* argument, const char* condition, double got) {
+    if (met) return;
+    char problem[128];
+    std::snprintf(problem, sizeof problem, "%s; got %g", condition, got);
+    require(false, function, argument, problem);
+}
+
 /// True for what neither overflowed nor is lost where denormals count as zero.
 template <real T>
 [[nodiscard]] bool is_normal(T v) {
-    return is_finite(v) && glm::abs(v) >= std::numeric_limits<T>::min();
+    return is_finite(v) && glm::abs(v) >= (std::numeric_limits<T>::min)();
 }
 
 /// The one check of a light's matrices.
 template <real T>
 [[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
     const bool finite = all_finite(light.view) && all_finite(light.projection);
-    require(finite && all_finite(light.projection * light.view), function, arguments,
-            "give a matrix that is not finite");
+    require(finite && all_finite(light.projection * light.view), function, arguments, "must give a finite matrix");
     return light;
 }
 
 /// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
 template <real T>
 [[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
-    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    const T scale = greater(greater(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
     return scale > T(0) ? glm::normalize(v / scale) : v;
 }
 
@@ -1299,7 +1493,7 @@ template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
                                            handedness hand) {
     const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
-    detail::require(detail::all_finite(view), "look_along", "position", "is too far out");
+    detail::require(detail::all_finite(view), "look_along", "position", "must be nearer to the origin");
     return view;
 }
 
@@ -1316,10 +1510,11 @@ template <real T>
     return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
 }
 
-/// perspective in the name of another function, which has checked the tangents.
+/// perspective in the name of another function, which has checked the tangents; planes names what gives them.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
-                                            const char* function) {
+                                            const char* function, const char* planes = "z_near and z_far") {
+    require_given(clip, function);
     require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
     require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
     const auto [at_near, at_far] = ends<T>(clip);
@@ -1335,7 +1530,7 @@ template <real T>
     m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
     m[3][2] = std::scalbn(product / (f - n), near_scale);
     m[2][3] = forward;
-    require(is_finite(m[3][2]), function, "z_near and z_far", "are too large and too close together");
+    require(is_finite(m[3][2]), function, planes, "must give planes farther apart, or nearer to 0");
     return m;
 }
 
@@ -1344,21 +1539,23 @@ template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
                                              clip_space clip, const char* function, const char* box,
                                              const char* planes) {
+    require_given(clip, function);
     require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
     require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
     require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
-    require(z_near < z_far, function, planes, "must be in order, some distance apart");
+    require(z_near < z_far, function, planes, "must give planes in order, some distance apart");
     const auto [at_near, at_far] = ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(1));
     for (glm::length_t i = 0; i < 2; ++i) {
         m[i][i] = T(2) / (high[i] - low[i]);
         m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
-        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");
+        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "must not give too large or too small a box");
     }
     m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
     m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
-    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "are too far apart or too close together");
+    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes,
+            "must give planes neither too far apart nor too close together");
     return m;
 }
 
@@ -1410,6 +1607,7 @@ namespace umbrage {
 /// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
+    detail::require_given(light.clip, "texture_matrix", "light.clip");
     detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
     const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
     glm::mat<4, 4, T> scale_bias(T(1));
@@ -1422,7 +1620,7 @@ template <real T>
         scale_bias[3][2] = T(0.5);
     }
     const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
-    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "give a matrix that is not finite");
+    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "must give a finite matrix");
     return m;
 }
 
@@ -1470,7 +1668,7 @@ template <real T>
             taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
         }
         detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
-                        "give a matrix that is not finite");
+                        "must give a finite matrix");
     }
     return taps;
 }
@@ -1478,7 +1676,7 @@ template <real T>
 /// A world position through a texture matrix; the vertex shader's part.
 /// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
 ///                `precise` were seen to keep, where they move m[3] forward from the end
-/// @exactness     B
+/// @exactness     B, n = 6
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
     glm::vec<4, T> c(0);
@@ -1491,7 +1689,7 @@ template <real T>
 /// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
 /// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
 /// @formula            (x + offset.x w, y + offset.y w, z, w)
-/// @exactness          B
+/// @exactness          B, n = 2
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> tap_coordinate(glm::vec<4, T> coordinate, glm::vec<2, T> offset) {
     return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
@@ -1500,7 +1698,7 @@ template <real T>
 /// The division: what filters take.
 /// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
 ///                which every filter takes as lit
-/// @exactness     C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 3: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
     if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
@@ -1513,6 +1711,7 @@ inline constexpr snippet shadow_coordinate{
     .name = "shadow_coordinate",
     .summary = "world to texels and depth, before the division",
     .exactness = tier::b,
+    .operations = 6,
     .source = R"GLSL(
 // umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
 UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
@@ -1526,6 +1725,7 @@ inline constexpr snippet tap_coordinate{
     .name = "tap_coordinate",
     .summary = "a tap's coordinate from the middle's, before the division",
     .exactness = tier::b,
+    .operations = 2,
     .source = R"GLSL(
 // umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
 UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
@@ -1539,7 +1739,7 @@ inline constexpr snippet project_coordinate{
     .name = "project_coordinate",
     .summary = "the division by w, lit behind the light",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
 UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
@@ -1587,10 +1787,12 @@ namespace umbrage {
 template <real T>
 [[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
     constexpr auto function = "make_light_units";
+    detail::require_given(light.clip, function, "light.clip");
     detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
     const glm::mat<4, 4, T>& p = light.projection;
     detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light", "must not be warped: see light_units_at");
-    const T edge = glm::max(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
+    const T edge =
+        detail::greater(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
     const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;
@@ -1633,7 +1835,7 @@ template <real T>
 /// @param w       of the point's shadow_coordinate
 /// @return        2^-64 to 2^64; 0 for what is not, as for w <= 0, and for NaN
 /// @formula       texels units.x w
-/// @exactness     B: two products
+/// @exactness     B, n = 2: two products
 template <real T>
 [[nodiscard]] constexpr T texels_to_world(T texels, glm::vec<2, T> units, T w) {
     const T world = texels * units.x * w;
@@ -1647,7 +1849,7 @@ template <real T>
 /// @return        0 .. 1; 1 for w = 0 and for NaN
 /// @formula       world units.y / w^2: the slope of z/w at the point; what lies nearer to a spot changes by more, so
 ///                that a point moved towards it by `world` has w / (w - world) times that, which covers a bias
-/// @exactness     C: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 5: one division, of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr T world_to_depth(T world, glm::vec<2, T> units, T w) {
     return clamp_bias(world * units.y / (w * w));
@@ -1659,6 +1861,7 @@ inline constexpr snippet texels_to_world{
     .name = "texels_to_world",
     .summary = "texels across a light as world units",
     .exactness = tier::b,
+    .operations = 2,
     .source = R"GLSL(
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -1674,7 +1877,7 @@ inline constexpr snippet world_to_depth{
     .name = "world_to_depth",
     .summary = "world units along a light as depth",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 5,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
 // umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
@@ -1727,7 +1930,7 @@ template <real T>
 ///                      texel tan t. Enough for a directional light; for a spot where the normal looks against its axis
 /// @detaches            as width tan t + error_world along the light: on a floor beside a wall that stands square to it
 ///                      light leaks in for up to width tan t sin t
-/// @exactness           C: a square root, of which GLSL allows a few ulp; 0 seen
+/// @exactness           C, n = 91: a square root, of which GLSL allows a few ulp; 0 seen
 template <real T>
 [[nodiscard]] glm::vec<3, T> normal_offset(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width,
                                            T error_world) {
@@ -1748,7 +1951,7 @@ inline constexpr snippet normal_offset{
     .name = "normal_offset",
     .summary = "way off a surface to the point that is looked up in its place",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 91,
     .source = R"GLSL(
 // umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
 //   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
@@ -1902,7 +2105,7 @@ template <real T>
 /// @param world          a point on the plane
 /// @return               slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on and for NaN
 /// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
-/// @exactness            C: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness            C, n = 27: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                    glm::vec<3, T> world) {
@@ -1922,7 +2125,7 @@ template <real T>
 /// @return           0 .. 1; 1 for NaN
 /// @formula          factor max(|slope.x|, |slope.y|) + base; with a factor of twice a filter's reach it is at
 ///                   least acne_free_bias, as |slope.x| + |slope.y| <= 2 max(|slope.x|, |slope.y|)
-/// @exactness        B
+/// @exactness        B, n = 2
 template <real T>
 [[nodiscard]] constexpr T slope_bias(glm::vec<2, T> slope, T factor, T base) {
     const T x = clamp_bias(factor * (slope.x < T(0) ? -slope.x : slope.x) + base);
@@ -1948,7 +2151,7 @@ inline constexpr snippet plane_slope{
     .name = "plane_slope",
     .summary = "change of a plane's depth from texel to texel",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 27,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
 // umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
@@ -1967,6 +2170,7 @@ inline constexpr snippet slope_bias{
     .name = "slope_bias",
     .summary = "bias by the greater slope, as rasterizers have it",
     .exactness = tier::b,
+    .operations = 2,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
 // umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
@@ -2010,7 +2214,7 @@ namespace umbrage {
 ///                 than 2^-10, so that nothing is known of the slope; and for NaN
 /// @formula        by Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096,
 ///                 with s / |determinant|, s the sum of the four magnitudes, for 1 / least texels a pixel
-/// @exactness      C: divisions, of each of which GLSL allows 2.5 ulp
+/// @exactness      C, n = 31: divisions, of each of which GLSL allows 2.5 ulp
 /// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> receiver_plane(glm::vec<3, T> dx, glm::vec<3, T> dy) {
@@ -2031,17 +2235,17 @@ template <real T>
 /// @param stored   depth from the map
 /// @param slope    of the receiver's plane, a texel, -2 .. 2
 /// @param coord    receiver in texels;   texel  whose depth is stored
-/// @param far      the cleared depth: 1, or 0 where depth is reversed
+/// @param cleared  depth of the far plane: 1, or 0 where depth is reversed
 /// @return         what to compare with the receiver; a cleared texel, and what is nearer than 2^-64 to one, stays
 /// @formula        stored - slope . (texel + 1/2 - coord)
-/// @exactness      B
+/// @exactness      B, n = 8
 template <real T>
 [[nodiscard]] constexpr T on_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord, glm::vec<2, T> texel,
-                                            T far = T(1)) {
+                                            T cleared = T(1)) {
     const T x = texel.x + T(0.5) - coord.x, y = texel.y + T(0.5) - coord.y;
-    const T before = stored - far;
-    const bool cleared = before < T(0x1p-64) && before > T(-0x1p-64);
-    return cleared ? stored : stored - (slope.x * x + slope.y * y);
+    const T before = stored - cleared;
+    const bool is_cleared = before < T(0x1p-64) && before > T(-0x1p-64);
+    return is_cleared ? stored : stored - (slope.x * x + slope.y * y);
 }
 
 /// The same of all texels, as the fetch callable that filters take.
@@ -2050,8 +2254,8 @@ template <real T>
 template <std::invocable<glm::ivec2> Fetch>
 [[nodiscard]] auto on_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
                                      depth_direction direction = depth_direction::forward) {
-    return [=, far = cleared_depth(direction)](glm::ivec2 texel) {
-        return on_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), far);
+    return [=, cleared = cleared_depth(direction)](glm::ivec2 texel) {
+        return on_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), cleared);
     };
 }
 
@@ -2061,7 +2265,7 @@ inline constexpr snippet receiver_plane{
     .name = "receiver_plane",
     .summary = "slope of a receiver's plane from derivatives, and how far it may be off",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 31,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
 // umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
@@ -2086,6 +2290,7 @@ inline constexpr snippet on_receiver_plane{
     .name = "on_receiver_plane",
     .summary = "stored depth moved along the receiver's plane to the receiver",
     .exactness = tier::b,
+    .operations = 8,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
@@ -2128,10 +2333,10 @@ inline constexpr T upper_edge = T(1);
 /// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
 /// @exactness     A: scaling by a power of two, floor, min
 template <int Bits, real T>
-[[nodiscard]] constexpr std::uint32_t to_code(T depth, T far = T(1)) {
+[[nodiscard]] constexpr std::uint32_t to_code(T depth, T cleared = T(1)) {
     static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
     constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
-    const auto x = static_cast<std::uint32_t>(saturate(depth, far) * T(codes));
+    const auto x = static_cast<std::uint32_t>(saturate(depth, cleared) * T(codes));
     return x < codes ? x : codes - 1;
 }
 
@@ -2288,7 +2493,7 @@ namespace umbrage {
 /// @param inv_z_far   1 / z_far
 /// @return            0 at the light, 1 at the far plane; not clamped
 /// @formula           z_view * inv_z_far
-/// @exactness         B: one product
+/// @exactness         B, n = 1: one product
 template <real T>
 [[nodiscard]] constexpr T linear_depth(T z_view, T inv_z_far) {
     return z_view * inv_z_far;
@@ -2297,7 +2502,7 @@ template <real T>
 /// @param z, w    clip coordinates
 /// @param cleared cleared_depth of the clip space: 1, or 0 when reversed
 /// @return        z / w; cleared, which is far, for w <= 0 (not in front of the light) and NaN in w
-/// @exactness     C: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 3: one division, of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr T project_depth(T z, T w, T cleared) {
     return w > T(0) && !is_nan(w) ? z / w : cleared;
@@ -2307,7 +2512,7 @@ template <real T>
 /// @param inv_range   1 / range of the light
 /// @return            0 at the light, 1 at its range; not clamped
 /// @formula           |to_point| * inv_range
-/// @exactness         C: a square root, of which GLSL allows a few ulp; 0 seen
+/// @exactness         C, n = 9: a square root, of which GLSL allows a few ulp; 0 seen
 template <real T>
 [[nodiscard]] T distance_depth(glm::vec<3, T> to_point, T inv_range) {
     return std::sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
@@ -2315,7 +2520,7 @@ template <real T>
 
 /// Forward depth from reversed, or reversed from forward.
 /// @formula       1 - depth
-/// @exactness     B: one subtraction, exact for depth in [1/2, 2] and for multiples of 2^-24 in [0, 1]
+/// @exactness     B, n = 1: one subtraction, exact for depth in [1/2, 2] and for multiples of 2^-24 in [0, 1]
 template <real T>
 [[nodiscard]] constexpr T reverse_depth(T depth) {
     return T(1) - depth;
@@ -2323,7 +2528,7 @@ template <real T>
 
 /// Depth in [0, 1] from z/w in [-1, 1], the OpenGL convention.
 /// @formula       ndc / 2 + 1/2
-/// @exactness     B: one sum
+/// @exactness     B, n = 2: one sum
 template <real T>
 [[nodiscard]] constexpr T depth_from_ndc(T ndc) {
     return ndc * T(0.5) + T(0.5);
@@ -2335,7 +2540,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (1 - depth (1 - n / f))
-/// @exactness             C: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen;
+/// @exactness             C, n = 8: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen;
 ///                        the distance at depth near 1 hangs on the last bits of depth
 template <real T>
 [[nodiscard]] constexpr T view_z_from_depth(T depth, T z_near, T z_far) {
@@ -2348,7 +2553,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (1 - n / z) / (1 - n / f)
-/// @exactness             C: three divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 10: three divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr T depth_from_view_z(T z_view, T z_near, T z_far) {
     return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
@@ -2361,7 +2566,7 @@ template <real T>
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (n / f + depth (1 - n / f)): within 3 ulp of the distance for depth in [0, 1], as nothing
 ///                        cancels; by way of 1 - depth thousands of ulp are lost far out
-/// @exactness             C: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 11: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr T view_z_from_reversed_depth(T depth, T z_near, T z_far) {
     return z_near / (z_near / z_far + depth * (T(1) - z_near / z_far));
@@ -2373,7 +2578,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z/w in [0, 1], 1 at the near plane; not clamped
 /// @formula               n / z (1 - z / f) / (1 - n / f)
-/// @exactness             C: four divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 13: four divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr T reversed_depth_from_view_z(T z_view, T z_near, T z_far) {
     return z_near / z_view * (T(1) - z_view / z_far) / (T(1) - z_near / z_far);
@@ -2385,7 +2590,7 @@ template <real T>
 /// @param z_near, z_far   z_near < z_far; when reversed, exchange the two: digits are kept, without 1 - depth
 /// @return                z_near .. z_far; not clamped
 /// @formula               n + depth (f - n)
-/// @exactness             B: sums and a product
+/// @exactness             B, n = 3: sums and a product
 template <real T>
 [[nodiscard]] constexpr T view_z_from_orthographic_depth(T depth, T z_near, T z_far) {
     return z_near + depth * (z_far - z_near);
@@ -2396,7 +2601,7 @@ template <real T>
 /// @param z_near, z_far   z_near < z_far; when reversed, exchange the two
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (z - n) / (f - n)
-/// @exactness             C: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 5: one division, of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr T orthographic_depth_from_view_z(T z_view, T z_near, T z_far) {
     return (z_view - z_near) / (z_far - z_near);
@@ -2408,6 +2613,7 @@ inline constexpr snippet linear_depth{
     .name = "linear_depth",
     .summary = "view-space z over z_far",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
@@ -2420,7 +2626,7 @@ inline constexpr snippet project_depth{
     .name = "project_depth",
     .summary = "z / w, far behind the light",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
 UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w, UMBRAGE_HIGHP float cleared) {
@@ -2433,7 +2639,7 @@ inline constexpr snippet distance_depth{
     .name = "distance_depth",
     .summary = "distance to the light over its range",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 9,
     .source = R"GLSL(
 // umbrage_distance_depth: length of to_point, from the light, times 1 / range
 UMBRAGE_HIGHP float umbrage_distance_depth(UMBRAGE_HIGHP vec3 to_point, UMBRAGE_HIGHP float inv_range) {
@@ -2446,6 +2652,7 @@ inline constexpr snippet reverse_depth{
     .name = "reverse_depth",
     .summary = "1 - depth",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_reverse_depth: forward depth from reversed, or reversed from forward
 UMBRAGE_HIGHP float umbrage_reverse_depth(UMBRAGE_HIGHP float depth) {
@@ -2458,6 +2665,7 @@ inline constexpr snippet depth_from_ndc{
     .name = "depth_from_ndc",
     .summary = "z/w in [-1, 1] to depth in [0, 1]",
     .exactness = tier::b,
+    .operations = 2,
     .source = R"GLSL(
 // umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
 UMBRAGE_HIGHP float umbrage_depth_from_ndc(UMBRAGE_HIGHP float ndc) {
@@ -2471,7 +2679,7 @@ inline constexpr snippet view_z_from_depth{
     .name = "view_z_from_depth",
     .summary = "perspective depth to view-space z",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 8,
     .source = R"GLSL(
 // umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
 UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
@@ -2485,7 +2693,7 @@ inline constexpr snippet depth_from_view_z{
     .name = "depth_from_view_z",
     .summary = "view-space z to perspective depth",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 10,
     .source = R"GLSL(
 // umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
 UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
@@ -2499,7 +2707,7 @@ inline constexpr snippet view_z_from_reversed_depth{
     .name = "view_z_from_reversed_depth",
     .summary = "reversed perspective depth to view-space z",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 11,
     .source = R"GLSL(
 // umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
 UMBRAGE_HIGHP float umbrage_view_z_from_reversed_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
@@ -2513,7 +2721,7 @@ inline constexpr snippet reversed_depth_from_view_z{
     .name = "reversed_depth_from_view_z",
     .summary = "view-space z to reversed perspective depth",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 13,
     .source = R"GLSL(
 // umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
 UMBRAGE_HIGHP float umbrage_reversed_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
@@ -2527,6 +2735,7 @@ inline constexpr snippet view_z_from_orthographic_depth{
     .name = "view_z_from_orthographic_depth",
     .summary = "orthographic depth to view-space z",
     .exactness = tier::b,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
 // axis; when reversed, exchange z_near and z_far
@@ -2542,7 +2751,7 @@ inline constexpr snippet orthographic_depth_from_view_z{
     .name = "orthographic_depth_from_view_z",
     .summary = "view-space z to orthographic depth",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
 // z_near; when reversed, exchange z_near and z_far
@@ -2851,9 +3060,9 @@ namespace umbrage {
 /// @exactness     A
 /// @cite          ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
 template <int Bits, real T>
-[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth, T far = T(1)) {
+[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth, T cleared = T(1)) {
     static_assert(Bits >= 9 && Bits <= 16);
-    const std::uint32_t x = to_code<Bits>(depth, far);
+    const std::uint32_t x = to_code<Bits>(depth, cleared);
     return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
 }
 
@@ -2963,7 +3172,7 @@ namespace umbrage {
 /// @param c       the two channels of encode_rg<Bits> as sampled, k / 255
 /// @return        x / 255, x the code; with Bits = 11, eight times decode_ps14
 /// @formula       r + 2^(Bits - 8) g
-/// @exactness     B: one rounded addition, of an exact product
+/// @exactness     B, n = 4: one rounded addition, of an exact product
 template <int Bits, real T>
 [[nodiscard]] constexpr T level_rg(glm::vec<2, T> c) {
     static_assert(Bits >= 9 && Bits <= 16);
@@ -2976,7 +3185,7 @@ template <int Bits, real T>
 /// @return        receiver_rg(depth, edge) <= level_rg(c) exactly when depth <= decode_rg(c, edge), for texels c within
 ///                2^-18 of k / 255. For less_equal_scaled only, not for reversed Z.
 /// @formula       depth > 1 ? -1 : (ceil(depth 2^Bits - edge) - 1/2) / 255
-/// @exactness     B: products and sums round once each; the test that it is made for is exact
+/// @exactness     B, n = 2: products and sums round once each; the test that it is made for is exact
 template <int Bits, real T>
 [[nodiscard]] T receiver_rg(T depth, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
@@ -3003,6 +3212,7 @@ template <int Bits>
 inline constexpr snippet level_rg{.name = level_rg_name<Bits>.view(),
                                   .summary = "two channels to a level to compare with",
                                   .exactness = tier::b,
+                                  .operations = 4,
                                   .scaled = true,
                                   .source = level_rg_text<Bits>};
 
@@ -3024,6 +3234,7 @@ template <int Bits>
 inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
                                      .summary = "receiver to a level, for maps that are not decoded",
                                      .exactness = tier::b,
+                                     .operations = 2,
                                      .source = receiver_rg_text<Bits>};
 
 /// Of the members named: texts are filled in where they are asked for.
@@ -3071,8 +3282,8 @@ inline const glm::ivec2 rg_table_size{rg_table_width<Bits>, (1 << Bits) / rg_tab
 /// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
 /// @exactness     A
 template <int Bits, real T, class Fetch>
-[[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth, T far = T(1)) {
-    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth, far)));
+[[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth, T cleared = T(1)) {
+    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth, cleared)));
     return {texel[0], texel[1]};
 }
 
@@ -3129,8 +3340,8 @@ namespace umbrage {
 /// @formula       the bytes of min(floor(depth 2^24), 2^24 - 1)
 /// @exactness     A
 template <real T>
-[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth, T far = T(1)) {
-    const std::uint32_t x = to_code<24>(depth, far);
+[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth, T cleared = T(1)) {
+    const std::uint32_t x = to_code<24>(depth, cleared);
     return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
             static_cast<std::uint8_t>(x & 0xFF)};
 }
@@ -3168,7 +3379,7 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec3(high, middle, rest - middle * 256.0);
+    return vec3(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
 }
 )GLSL",
 };
@@ -3249,8 +3460,8 @@ template <class Fetch>
 /// @param fetch   ivec2 texel -> stored depth
 /// @param size    of the map, in texels
 /// @param uv      from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness     C, the fetched depth, but at borders between texels: a sampler takes the nearest to what it rounds
-///                its coordinates to, 2^-10 texel off in a map of 8192
+/// @exactness     C, n = 4: the fetched depth, but at borders between texels: a sampler takes the nearest to what it
+///                rounds its coordinates to, 2^-10 texel off in a map of 8192
 template <real T, class Fetch>
 [[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
     return T(fetch(glm::ivec2(glm::floor(uv * size))));
@@ -3383,7 +3594,7 @@ inline constexpr snippet depth_at{
     .name = "depth_at",
     .summary = "stored depth at a point of the map",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 4,
     .needs = list<&fetch_depth>,
     .role = hook::depth_at,
     .source = R"GLSL(
@@ -3421,7 +3632,8 @@ struct disc_point {
 
 /// A disc's points, in 1/16 of its radius.
 template <int Points>
-requires(Points == 8 || Points == 16 || Points == 32) inline constexpr std::array<disc_point, Points> disc_points{};
+requires(Points == 8 || Points == 16 ||
+         Points == 32) inline constexpr std::array<disc_point, std::size_t(Points)> disc_points{};
 template <>
 inline constexpr std::array<disc_point, 8> disc_points<8>{
     {{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
@@ -3493,10 +3705,11 @@ template <real T>
 /// @param radius     in 1/16 texel, a whole number, 0 .. 4095
 /// @formula          floor((position + turned point * radius / 64) / 256), of point (x, y) turned by (c, s):
 ///                   (c x - s y, s x + c y)
-/// @exactness        A: the position's whole texels apart, all else are multiples of 2^-14 below 2^9, in any order
+/// @exactness        A: multiples of 2^-14 below 2^10, in any order
 template <real T>
 [[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> turn, T radius) {
-    const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at), within = at - texel;
+    const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at);
+    const glm::vec<2, T> within = glm::clamp(at - texel, T(0), T(1));  // which no grouping of sums reaches across
     const glm::vec<2, T> scaled = turn * (radius * T(1.0 / 16384.0));
     return texel +
            glm::floor(within + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y));
@@ -3571,7 +3784,7 @@ UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP v
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
-    UMBRAGE_HIGHP vec2 within = at - texel;
+    UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
     UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
@@ -3659,6 +3872,7 @@ struct rotated_disc {
         if (points == 16) return umbrage::disc<16>(fetch, coord, receiver, radius_texels, turn, is_lit);
         return umbrage::disc<32>(fetch, coord, receiver, radius_texels, turn, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 /// The same result; for images of receivers it first asks, for all texels within reach, whether they are all lit or all
@@ -3811,7 +4025,7 @@ template <real T, class Compare = less_equal>
 template <real T>
 [[nodiscard]] T penumbra(T apart, glm::vec<3, T> softness) {
     const T radius = std::floor(apart * softness.x);
-    return glm::min(glm::max(radius, softness.y), softness.z);
+    return detail::lesser(detail::greater(radius, softness.y), softness.z);
 }
 
 /// A texel's part in the search for blockers.
@@ -3971,8 +4185,8 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const T z = distance_code(receiver, is_lit), widest = penumbra(z, softness);
     const glm::vec<2, T> found = blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, widest, turn, is_lit);
-    const T mean = floor_divide(found.y, glm::max(found.x, T(1)));
-    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), glm::max(widest, T(1)));
+    const T mean = floor_divide(found.y, detail::greater(found.x, T(1)));
+    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), detail::greater(widest, T(1)));
     return T(1) - hardened<Points>(found.x, ratio);
 }
 
@@ -3986,7 +4200,7 @@ namespace detail {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - $n.0;
-    UMBRAGE_HIGHP float d = $n.0 - abs(u);
+    UMBRAGE_HIGHP float d = max($n.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = $c.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? $c.0 - steep : $c.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * $s.0) * (1.0 / $w.0);
@@ -4012,7 +4226,7 @@ UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     UMBRAGE_HIGHP float dark = umbrage_hardened$n(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 )GLSL",
                   {{'n', points}});
@@ -4066,6 +4280,7 @@ struct dpcf {
         if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, turn, is_lit);
         return umbrage::dpcf<32>(fetch, coord, receiver, soft, turn, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 inline constexpr std::array<dpcf, 3> dpcf::values{{{8, {}, {}, "dpcf8", &glsl::dpcf<8>},
@@ -4180,6 +4395,7 @@ struct pcss {
         if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, turn, is_lit);
         return umbrage::pcss<32>(fetch, coord, receiver, soft, turn, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 inline constexpr std::array<pcss, 3> pcss::values{{{8, {}, {}, "pcss8", &glsl::pcss<8>},
@@ -4206,17 +4422,18 @@ namespace umbrage {
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
 /// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
-/// @exactness        A: integers below 2^24 times a power of two
+/// @exactness        A: sums of multiples of 2^-16, below 2^8
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    const glm::vec<2, T> hi = x - texel * T(256);  // weight of the farther texel, 0..255
-    const glm::vec<2, T> lo = T(256) - hi;
+    // Weights of the farther texels are in [0, 1) already; compilers cannot regroup sums across the clamp.
+    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1));
+    const glm::vec<2, T> lo = T(1) - hi;
     const glm::vec<4, T> lit = lit_2x2(fetch, glm::ivec2(texel), receiver, is_lit);
-    return (lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w)) * T(1.0 / 65536.0);
+    return lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
 }
 
 /// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
@@ -4229,7 +4446,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param epsilon    in depth, added to the stored side of each comparison
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
-/// @exactness        B
+/// @exactness        B, n = 20
 /// @cite             Microsoft DirectX SDK, ShadowMap sample
 template <real T, class Fetch>
 [[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
@@ -4262,11 +4479,11 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
-    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
+    UMBRAGE_HIGHP float visibility = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return compared ? visibility : 1.0;
 }
 )GLSL",
@@ -4276,6 +4493,7 @@ inline constexpr snippet pcf_2x2_dx_sdk{
     .name = "pcf_2x2_dx_sdk",
     .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats",
     .exactness = tier::b,
+    .operations = 20,
     .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
@@ -4318,6 +4536,7 @@ struct pcf_2x2 {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::pcf_2x2(fetch, coord, receiver, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 /// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
@@ -4333,6 +4552,7 @@ struct pcf_2x2_dx_sdk {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 }  // namespace filters
@@ -4454,7 +4674,7 @@ namespace umbrage {
 /// A disc's radius as hardware forms take it: clamped to [0, 255.9375], 0 for NaN.
 template <real T>
 [[nodiscard]] constexpr T clamped_disc_radius(T radius) {
-    return radius > T(0) ? glm::min(radius, T(max_disc_radius)) : T(0);
+    return radius > T(0) ? detail::lesser(radius, T(max_disc_radius)) : T(0);
 }
 
 /// Where a point of a disc lies.
@@ -4576,7 +4796,7 @@ namespace umbrage {
 
 /// What of a point of the map lies before a receiver.
 /// @return        (1, depth_at) where that is before the receiver, else (0, 0)
-/// @exactness     C, as depth_at
+/// @exactness     C, n = 4, as depth_at
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blocker_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver,
                                         Compare is_lit = {}) {
@@ -4590,10 +4810,10 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param coord      receiver in texels; outside texel space, or NaN: none found
 /// @param receiver   depth, biased as for the filter; beyond the far plane: none found; NaN has all before it
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
-/// @param turn       as disc_turn gives it
+/// @param turn       as disc_turn gives it; not a number: none found
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
-/// @exactness        C, within an ulp in a shader, but at borders between texels, as depth_at
+/// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
                                                glm::vec<2, T> turn, Compare is_lit = {}) {
@@ -4601,8 +4821,10 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return found;
     const T rho = clamped_disc_radius(radius);
     for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::ivec2 texel(glm::floor(disc_position(coord, glm::vec<2, T>(point), turn, rho)));
-        const auto stored = T(fetch(texel));
+        const glm::vec<2, T> at = disc_position(coord, glm::vec<2, T>(point), turn, rho);
+        const T reached = glm::abs(at.x) + glm::abs(at.y);
+        if (is_nan(reached) || reached >= T(1 << 17)) continue;  // no turn that disc_turn gives
+        const auto stored = T(fetch(glm::ivec2(glm::floor(at))));
         if (!is_lit(receiver, stored)) found += glm::vec<2, T>(T(1), stored);
     }
     return found;
@@ -4614,7 +4836,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @param softness   of make_softness: (per_code, least, widest)
 /// @return           in texels, from least / 16 to widest / 16; the former for what is NaN
 /// @formula          |receiver - mean| 4096 per_code, clamped
-/// @exactness        C: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
+/// @exactness        C, n = 6: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr T pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<3, T> softness, Compare is_lit = {}) {
@@ -4622,7 +4844,7 @@ template <real T, class Compare = less_equal>
     const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
     const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
     const T least = softness.y * T(0.0625);
-    return radius > least ? glm::min(radius, softness.z * T(0.0625)) : least;
+    return radius > least ? detail::lesser(radius, softness.z * T(0.0625)) : least;
 }
 
 /// @tparam Points    8, 16 or 32, of the search and of the filter
@@ -4651,7 +4873,7 @@ inline constexpr snippet blocker_at{
     .name = "blocker_at",
     .summary = "whether what a point of the map holds lies before a receiver, and its depth",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 4,
     .needs = list<&depth_at, &compare>,
     .source = R"GLSL(
 // umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
@@ -4713,7 +4935,7 @@ inline constexpr snippet blockers_hardware{
                : Points == 16 ? "the same at 16 points"
                               : "the same at 32 points",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 24,
     .needs = list<&is_compared, &blocker_at>,
     .source = {detail::blockers_hardware_text, Points}};
 
@@ -4832,7 +5054,7 @@ template <real T>
 /// Share of the box that is lit; arguments as for box_count.
 /// @return           visibility: 0 in shadow, 1 lit, exactly
 /// @formula          box_count / (2r+1)^2
-/// @exactness        B: the count is exact, its product with box_scale rounds once
+/// @exactness        B, n = 290: the count is exact, its product with box_scale rounds once
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T box(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
     const T visibility = box_count(fetch, coord, receiver, radius, is_lit) * box_scale<T>(radius);
@@ -4894,6 +5116,7 @@ inline constexpr snippet box{
     .name = "box",
     .summary = "lit share of a box of radius 0..8",
     .exactness = tier::b,
+    .operations = 290,
     .needs = list<&box_count, &box_scale>,
     .source = R"GLSL(
 // umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
@@ -4924,6 +5147,7 @@ struct box {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::box(fetch, coord, receiver, radius, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 /// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
@@ -4940,6 +5164,7 @@ struct hierarchical_box {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::box(fetch, coord, receiver, radius, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 }  // namespace filters
@@ -5026,6 +5251,7 @@ struct four_tap {
         return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
                                  receiver, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 }  // namespace filters
@@ -5049,14 +5275,14 @@ namespace umbrage {
 /// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
 /// @formula            mean of [receiver <= depth_at(tap)]
-/// @exactness          C, four_tap but at borders between texels, as depth_at
+/// @exactness          C, n = 39, four_tap but at borders between texels, as depth_at
 /// @cite               ATI Radeon SDK, ShadowMap sample, 2002
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T four_tap_hardware(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> a, glm::vec<2, T> b,
                                   glm::vec<2, T> c, glm::vec<2, T> d, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> sum = (glm::abs(a) + glm::abs(b) + glm::abs(c) + glm::abs(d)) * size;
-    const T far = sum.x + sum.y;
-    if (is_nan(far) || far >= T(1 << 17) || beyond_far(receiver, is_lit)) return T(1);
+    const T reached = sum.x + sum.y;
+    if (is_nan(reached) || reached >= T(1 << 17) || beyond_far(receiver, is_lit)) return T(1);
     T count(0);
     for (const glm::vec<2, T>& uv : {a, b, c, d}) count += compare(receiver, depth_at(fetch, size, uv), is_lit);
     return count * T(0.25);
@@ -5068,7 +5294,7 @@ inline constexpr snippet four_tap_hardware{
     .name = "four_tap_hardware",
     .summary = "mean of four taps that a sampler of the nearest texel takes",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 39,
     .needs = list<&beyond_far, &compare, &depth_at>,
     .source = R"GLSL(
 // umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
@@ -5151,6 +5377,7 @@ struct hard {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::hard(fetch, coord, receiver, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 }  // namespace filters
@@ -5235,7 +5462,7 @@ template <real T>
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
 /// @formula           s = (sc + m) / 2m, t = (tc + m) / 2m, of cube_plane and m = cube_view_z
-/// @exactness         C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness         C, n = 5: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = cube_plane(direction);
@@ -5246,7 +5473,7 @@ template <real T>
 /// The direction to a point of a face: cube_coordinate's inverse.
 /// @param face   0 .. 5;   st  from 0 to 1 over the face
 /// @return       its greatest component is 1 or -1
-/// @exactness    B: 2 s - 1 rounds once
+/// @exactness    B, n = 2: 2 s - 1 rounds once
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
     return cube_point(face, glm::vec<3, T>(st.x * T(2) - T(1), st.y * T(2) - T(1), T(1)));
@@ -5345,7 +5572,7 @@ inline constexpr snippet cube_coordinate{
     .name = "cube_coordinate",
     .summary = "face, and where on it, that a direction meets",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 5,
     .needs = list<&cube_view_z, &cube_plane>,
     .source = R"GLSL(
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
@@ -5361,6 +5588,7 @@ inline constexpr snippet cube_direction{
     .name = "cube_direction",
     .summary = "direction to a point of a cube's face",
     .exactness = tier::b,
+    .operations = 2,
     .needs = list<&cube_point>,
     .source = R"GLSL(
 // umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
@@ -5449,13 +5677,14 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @return           visibility, the same on either side of an edge
 /// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
 ///                   to the nearest step, which is the same one from either side
-/// @exactness        C: a division, by 65536 but at corners, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness        C, n = 33: a division, by 65536 but at corners, of which GLSL allows 2.5 ulp; 0 seen
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> coord(at);
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256) + T(0.5)) - T(128);
-    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), hi = x - texel * T(256), lo = T(256) - hi;
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
+    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)), lo = T(1) - hi;
     const auto tap = [&](T i, T j) {
         return cube_lit(fetch, size, glm::vec<3, T>(texel.x + i, texel.y + j, at.z), receiver, is_lit);
     };
@@ -5491,7 +5720,7 @@ inline constexpr snippet pcf_2x2_cube{
     .name = "pcf_2x2_cube",
     .summary = "2 x 2 comparisons of a cube, over its edges too, bilinear weights",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 33,
     .needs = list<&is_compared, &cube_lit>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
@@ -5503,8 +5732,9 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
@@ -5672,7 +5902,7 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0)GLSL";
     for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
@@ -5680,10 +5910,12 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     for (int i = 0; i <= size; ++i)
         if (i != middle)
             append(text, "    UMBRAGE_HIGHP vec2 w$i = floor($w);\n", {{'i', i}, {'w', 0, window_weight(size, i)}});
-    append(text, "    UMBRAGE_HIGHP vec2 w$m = whole - (w0", {{'m', middle}});
+    append(text, "    UMBRAGE_HIGHP vec2 w$m = max(whole - (w0", {{'m', middle}});
     for (int i = 1; i <= size; ++i)
         if (i != middle) append(text, " + w$i", {{'i', i}});
-    append(text, ");\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
+    // not negative already; compilers cannot regroup the sum n across the max
+    append(text,
+           "), vec2(0.0, 0.0));\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
            {{'m', middle}});
     for (int j = 0; j <= size; j += 2) {
         for (int i = 0; i <= size; i += 2)
@@ -5760,7 +5992,7 @@ template <real T, class Fetch, class Compare = less_equal>
     for (int j = 0; j <= row.size; ++j)
         for (int i = 0; i <= row.size; ++i)
             sum += weight(i, s.x) * weight(j, s.y) * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
-    return glm::min(sum / (whole * whole), T(1));  // weights round
+    return detail::lesser(sum / (whole * whole), T(1));  // weights round
 }
 
 namespace glsl {
@@ -5913,7 +6145,7 @@ template <int Size, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T binomial(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return window(fetch, coord, receiver, binomial_row<Size>, is_lit);
 }
-/// @exactness   B: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
+/// @exactness   B, n = 80 or 138, S = 1: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
 /// @cite        Castano: Shadow mapping summary, part 1, 2013
 template <int Size, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T castano(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
@@ -5962,11 +6194,12 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
     UMBRAGE_HIGHP vec2 r = 256.0 - s;
     UMBRAGE_HIGHP vec2 w0 = $b;
     UMBRAGE_HIGHP vec2 w2 = $e;
-    UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
+    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
     UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
@@ -6022,6 +6255,7 @@ template <int Size>
 inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
                                  .summary = Size == 5 ? "sliding window 1 3 4 3 1" : "sliding window 1 5 12 16 12 5 1",
                                  .exactness = tier::b,
+                                 .operations = Size == 5 ? 80 : 138,
                                  .needs = detail::window_needs<Size>,
                                  .source = {castano_text, Size}};
 
@@ -6064,6 +6298,7 @@ struct window {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::window(fetch, coord, receiver, row, is_lit);
     }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
 /// The same result; for images of receivers it first asks, for all texels of the window, whether they are all lit or
@@ -6140,7 +6375,7 @@ template <real T>
 /// @return        2^y: never falls where y grows; 2^y itself of whole numbers
 /// @formula       2^n (1 + c1 f + c2 f^2 + .. + c5 f^5) by Horner's scheme, n = floor(y), f = y - n; the polynomial is
 ///                2 at f = 1
-/// @exactness     B;  off by at most 1.8e-7 of the power, over all f = k / 2^24
+/// @exactness     B, n = 16;  off by at most 1.8e-7 of the power, over all f = k / 2^24
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T exp2_polynomial(T y) {
     const T x = detail::clamp_exponent(y), n = detail::floor_small(x), f = x - n;
@@ -6162,7 +6397,8 @@ template <real T>
 template <real T>
 [[nodiscard]] T exp2_steps(T y) {
     const T x = std::floor(detail::clamp_exponent(y) * T(2048));
-    const T n = std::floor(x * T(0x1p-11)), f = x - n * T(2048);
+    const T n = std::floor(x * T(0x1p-11)),
+            f = detail::greater(x - n * T(2048), T(0));  // no sum is regrouped across it
     const T g = std::floor(f * (T(2048) - f) * T(0x1p-8)), r = T(1251) + std::floor(f * T(314) * T(0x1p-11));
     const T m = T(2048) + f - std::floor((g * r + T(16384)) * T(0x1p-15));
     return m * T(0x1p-11) * power_of_two(n);
@@ -6204,6 +6440,7 @@ inline constexpr snippet exp2_polynomial{
     .name = "exp2_polynomial",
     .summary = "2^y to 1.8e-7 of it",
     .exactness = tier::b,
+    .operations = 16,
     .needs = list<&power_of_two>,
     .source = R"GLSL(
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
@@ -6233,7 +6470,7 @@ inline constexpr snippet exp2_steps{
 UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
-    UMBRAGE_HIGHP float f = x - n * 2048.0;
+    UMBRAGE_HIGHP float f = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
     UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
     UMBRAGE_HIGHP float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     UMBRAGE_HIGHP float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
@@ -6260,12 +6497,12 @@ inline constexpr const snippet* exp2_snippets[]{&power_of_two, &exp2_polynomial,
 namespace umbrage {
 
 /// Depth that grows with the distance from the light, whichever way the map's does: prefiltered maps hold it.
-/// @param far       1, or 0 where depth is reversed
+/// @param cleared   1, or 0 where depth is reversed
 /// @formula         1 - depth where depth is reversed, else depth
-/// @exactness       B
+/// @exactness       B, n = 1
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T forward_depth(T depth, T far = T(1)) {
-    return detail::pick(far < T(0.5), T(1) - depth, depth);
+[[nodiscard]] UMBRAGE_INLINE constexpr T forward_depth(T depth, T cleared = T(1)) {
+    return detail::pick(cleared < T(0.5), T(1) - depth, depth);
 }
 
 /// Share of depths that may be as far as the receiver or farther, at most.
@@ -6276,8 +6513,8 @@ template <real T>
 /// @return               visibility, 0 to 1; 0 where something is NaN, or where depths without variance lie before the
 ///                       receiver and min_variance is 0
 /// @formula              receiver <= m.x ? 1 : v / (v + (receiver - m.x)^2), v = max(m.y - m.x^2, min_variance)
-/// @exactness            C, 1 ulp: a division; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the formula
-///                       in reals
+/// @exactness            C, n = 11: a division; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the
+///                       formula in reals
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T chebyshev(glm::vec<2, T> m, T receiver, T min_variance) {
@@ -6293,7 +6530,7 @@ template <real T>
 /// darker and harder.
 /// @param amount      what becomes 0, 0 to 1; 0.2 is usual
 /// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
-/// @exactness         C, 1 ulp: a division
+/// @exactness         C, n = 5: a division
 template <real T>
 [[nodiscard]] constexpr T bleed_cut(T visibility, T amount) {
     const bool above = !is_nan(visibility) && !is_nan(amount) && visibility > amount;
@@ -6306,6 +6543,7 @@ inline constexpr snippet forward_depth{
     .name = "forward_depth",
     .summary = "depth that grows with distance",
     .exactness = tier::b,
+    .operations = 1,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
@@ -6319,7 +6557,7 @@ inline constexpr snippet chebyshev{
     .name = "chebyshev",
     .summary = "most that mean and variance let be lit",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 11,
     .source = R"GLSL(
 // umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
 //   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
@@ -6339,7 +6577,7 @@ inline constexpr snippet bleed_cut{
     .name = "bleed_cut",
     .summary = "visibility without its least values",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
 UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
@@ -6375,7 +6613,7 @@ enum class float_store { half, single };
 /// @param exponent   -63 to 63
 /// @return           2^-exponent to 2^exponent
 /// @formula          exp2_polynomial(exponent (2 depth - 1))
-/// @exactness        B
+/// @exactness        B, n = 31
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T warp_depth(T depth, T exponent) {
     return exp2_polynomial(exponent * (depth * T(2) - T(1)));
@@ -6384,22 +6622,22 @@ template <real T>
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: 2^exponent
 /// @param exponent  0 to 63
 /// @formula         warp_depth(forward_depth)
-/// @exactness       B
+/// @exactness       B, n = 36
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T far = T(1)) {
-    return warp_depth(forward_depth(saturate(depth, far), far), exponent);
+[[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T cleared = T(1)) {
+    return warp_depth(forward_depth(saturate(depth, cleared), cleared), exponent);
 }
 
 /// @param m         mean of texels; NaN is in shadow
 /// @param receiver  depth, biased; nearer than 0 is lit as 0 is; NaN is in shadow
 /// @return          visibility, 0 to 1, before bleed_cut: at least the lit share, less 2^-20
 /// @formula         min(m 2^(-exponent (2 d - 1)), 1), d = forward_depth(receiver)
-/// @exactness       B;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers, each off
-///                  by 1.8e-7 of it, and their product
+/// @exactness       B, n = 37;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers,
+///                  each off by 1.8e-7 of it, and their product
 /// @cite            Annen et al.: Exponential shadow maps, Graphics Interface 2008
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T far = T(1)) {
-    const T d = forward_depth(receiver, far);
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T cleared = T(1)) {
+    const T d = forward_depth(receiver, cleared);
     const T p = m * warp_depth(d, -exponent);
     const T lit = detail::pick(p < T(1), p, T(1));
     return detail::pick(bool(int(p > T(0)) & int(!is_nan(p)) & int(!is_nan(d))), lit, T(0));
@@ -6427,6 +6665,7 @@ inline constexpr snippet warp_depth{
     .name = "warp_depth",
     .summary = "depth on the scale of exponential shadow maps",
     .exactness = tier::b,
+    .operations = 31,
     .needs = list<&exp2_polynomial>,
     .source = R"GLSL(
 // umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
@@ -6441,6 +6680,7 @@ inline constexpr snippet encode_esm{
     .name = "encode_esm",
     .summary = "depth to a texel of an exponential shadow map",
     .exactness = tier::b,
+    .operations = 36,
     .needs = list<&saturate, &forward_depth, &warp_depth>,
     .source = R"GLSL(
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
@@ -6454,6 +6694,7 @@ inline constexpr snippet decode_esm{
     .name = "decode_esm",
     .summary = "mean of texels of an exponential shadow map to visibility",
     .exactness = tier::b,
+    .operations = 37,
     .needs = list<&forward_depth, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
@@ -6487,20 +6728,21 @@ namespace umbrage {
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does
 /// @param exponent  0 to 55
 /// @formula         (w, w^2), w = warp_depth(forward_depth)
-/// @exactness       B
+/// @exactness       B, n = 73
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T far = T(1)) {
-    const T w = warp_depth(forward_depth(saturate(depth, far), far), exponent);
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T cleared = T(1)) {
+    const T w = warp_depth(forward_depth(saturate(depth, cleared), cleared), exponent);
     return {w, w * w};
 }
 
 /// @param depth      clamped to [0, 1]; NaN counts as far, as a cleared texel does
 /// @param exponents  of the growing power and of the falling one, 0 to 55
 /// @formula          (w, w^2, n, n^2), w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y)
-/// @exactness        B
+/// @exactness        B, n = 73
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents, T far = T(1)) {
-    const T d = forward_depth(saturate(depth, far), far);
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents,
+                                                                   T cleared = T(1)) {
+    const T d = forward_depth(saturate(depth, cleared), cleared);
     const T w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y);
     return {w, w * w, n, n * n};
 }
@@ -6522,13 +6764,13 @@ template <real T>
 ///                   2 ln(2) exponent, as make_evsm has it
 /// @return           visibility before bleed_cut: at least the lit share, less chebyshev's error
 /// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(saturate(receiver)))
-/// @exactness        C, 1 ulp: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
+/// @exactness        C, n = 229: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
 ///                   powers
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
-                                                      T far = T(1)) {
-    const T d = forward_depth(saturate(receiver, far), far);
+                                                      T cleared = T(1)) {
+    const T d = forward_depth(saturate(receiver, cleared), cleared);
     const T lit = detail::warped_chebyshev(m, warp_depth(d, exponent), deviation);
     return detail::pick(is_nan(receiver), T(0), lit);
 }
@@ -6539,11 +6781,11 @@ template <real T>
 /// @param deviations  least standard deviations, as parts of the receiver's powers
 /// @return            visibility before bleed_cut: at least the lit share, less chebyshev's error
 /// @formula           the lesser of decode_evsm2's for either power
-/// @exactness         C, 1 ulp: a division
+/// @exactness         C, n = 229: a division
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
-                                                      glm::vec<2, T> deviations, T far = T(1)) {
-    const T d = forward_depth(saturate(receiver, far), far);
+                                                      glm::vec<2, T> deviations, T cleared = T(1)) {
+    const T d = forward_depth(saturate(receiver, cleared), cleared);
     const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), warp_depth(d, exponents.x), deviations.x);
     const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -warp_depth(d, -exponents.y), deviations.y);
     return detail::pick(is_nan(receiver), T(0), detail::pick(a < b, a, b));
@@ -6592,6 +6834,7 @@ inline constexpr snippet encode_evsm2{
     .name = "encode_evsm2",
     .summary = "depth to a texel of two components",
     .exactness = tier::b,
+    .operations = 73,
     .needs = list<&saturate, &forward_depth, &warp_depth>,
     .source = R"GLSL(
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
@@ -6606,6 +6849,7 @@ inline constexpr snippet encode_evsm4{
     .name = "encode_evsm4",
     .summary = "depth to a texel of four components",
     .exactness = tier::b,
+    .operations = 73,
     .needs = list<&saturate, &forward_depth, &warp_depth>,
     .source = R"GLSL(
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
@@ -6622,7 +6866,7 @@ inline constexpr snippet decode_evsm2{
     .name = "decode_evsm2",
     .summary = "mean of texels of two components to visibility",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 229,
     .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
@@ -6644,7 +6888,7 @@ inline constexpr snippet decode_evsm4{
     .name = "decode_evsm4",
     .summary = "mean of texels of four components to visibility",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 229,
     .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
@@ -6687,12 +6931,12 @@ inline constexpr const snippet* evsm_snippets[]{&encode_evsm2, &encode_evsm4, &d
 namespace umbrage {
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1)
-/// @param far       1, or 0 where depth is reversed
+/// @param cleared   1, or 0 where depth is reversed
 /// @formula         (d, d^2), d = forward_depth
-/// @exactness       B
+/// @exactness       B, n = 3
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T far = T(1)) {
-    const T d = forward_depth(saturate(depth, far), far);
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T cleared = T(1)) {
+    const T d = forward_depth(saturate(depth, cleared), cleared);
     return {d, d * d};
 }
 
@@ -6702,17 +6946,17 @@ template <real T>
 ///                       surfaces shadow themselves
 /// @return               visibility before bleed_cut: at least the lit share, less chebyshev's error
 /// @formula              chebyshev(m, forward_depth(receiver), min_variance)
-/// @exactness            C, 1 ulp: a division
+/// @exactness            C, n = 13: a division
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T far = T(1)) {
-    return chebyshev(m, forward_depth(receiver, far), min_variance);
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T cleared = T(1)) {
+    return chebyshev(m, forward_depth(receiver, cleared), min_variance);
 }
 
 /// @param m         mean of the depths, mean of their squares
 /// @return          mean and twice the standard deviation, for depths in [0, 1] each 0 to 1; the latter 0 for NaN
 /// @formula         (m.x, 2 sqrt(max(m.y - m.x^2, 0)))
-/// @exactness       C, 1 ulp: a root
+/// @exactness       C, n = 7: a root
 template <real T>
 [[nodiscard]] glm::vec<2, T> encode_deviation(glm::vec<2, T> m) {
     const T variance = m.y - m.x * m.x;
@@ -6722,7 +6966,7 @@ template <real T>
 /// @param held      mean and twice the standard deviation, as stored
 /// @return          mean of the depths, mean of their squares
 /// @formula         (mean, mean^2 + (deviation / 2)^2)
-/// @exactness       B
+/// @exactness       B, n = 5
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> decode_deviation(glm::vec<2, T> held) {
     const T half = held.y * T(0.5);
@@ -6734,7 +6978,7 @@ template <real T>
 /// @return          the mean of the depths, the mean of their squares: mean and deviation of the upper edges of their
 ///                  codes, so that nothing gets darker by being stored
 /// @formula         decode_deviation(decode_rg<16>(c.xy), decode_rg<16>(c.zw))
-/// @exactness       B
+/// @exactness       B, n = 21
 template <real T>
 [[nodiscard]] glm::vec<2, T> decode_deviation_rgba8(glm::vec<4, T> c) {
     return decode_deviation(
@@ -6747,6 +6991,7 @@ inline constexpr snippet encode_vsm{
     .name = "encode_vsm",
     .summary = "depth to a texel of a variance shadow map",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&saturate, &forward_depth>,
     .source = R"GLSL(
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
@@ -6761,7 +7006,7 @@ inline constexpr snippet decode_vsm{
     .name = "decode_vsm",
     .summary = "mean of texels of a variance shadow map to visibility",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 13,
     .needs = list<&chebyshev, &forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
@@ -6777,7 +7022,7 @@ inline constexpr snippet encode_deviation{
     .name = "encode_deviation",
     .summary = "depth's two moments to mean and deviation",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 7,
     .source = R"GLSL(
 // umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
 UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
@@ -6791,6 +7036,7 @@ inline constexpr snippet decode_deviation{
     .name = "decode_deviation",
     .summary = "mean and deviation to depth's two moments",
     .exactness = tier::b,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
 UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
@@ -6805,6 +7051,7 @@ inline constexpr snippet decode_deviation_rgba8{
     .name = "decode_deviation_rgba8",
     .summary = "mean and deviation in four channels to depth's two moments",
     .exactness = tier::b,
+    .operations = 21,
     .needs = list<&decode_deviation, &decode_rg<16>>,
     .source = R"GLSL(
 // umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
@@ -6867,10 +7114,11 @@ template <real T>
 ///                       sqrt(min_variance), which the cut doubles; and chebyshev_hardware
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
-[[nodiscard]] constexpr T decode_vsm_hardware(glm::vec<2, T> held, T receiver, T min_variance, T amount, T far = T(1)) {
+[[nodiscard]] constexpr T decode_vsm_hardware(glm::vec<2, T> held, T receiver, T min_variance, T amount,
+                                              T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T variance = glm::max(held.y * held.y * T(0.25), min_variance);
-    return chebyshev_hardware(variance, forward_depth(receiver, far) - held.x, amount);
+    const T variance = detail::greater(held.y * held.y * T(0.25), min_variance);
+    return chebyshev_hardware(variance, forward_depth(receiver, cleared) - held.x, amount);
 }
 
 /// @param m           mean of encode_evsm2's texels; no NaN
@@ -6887,10 +7135,10 @@ template <real T>
 /// @cite              Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] constexpr T decode_evsm2_hardware(glm::vec<2, T> m, T receiver, T exponent, T deviation, T amount,
-                                                T far = T(1)) {
+                                                T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T w = warp_depth(forward_depth(glm::clamp(receiver, T(0), T(1)), far), exponent), least = deviation * w;
-    return chebyshev_hardware(glm::max(m.y - m.x * m.x, least * least), w - m.x, amount);
+    const T w = warp_depth(forward_depth(glm::clamp(receiver, T(0), T(1)), cleared), exponent), least = deviation * w;
+    return chebyshev_hardware(detail::greater(m.y - m.x * m.x, least * least), w - m.x, amount);
 }
 
 /// @param m           mean of encode_evsm4's texels; no NaN
@@ -6899,14 +7147,14 @@ template <real T>
 /// @exactness         C, within 1/64 in a shader, as decode_evsm2_hardware
 template <real T>
 [[nodiscard]] constexpr T decode_evsm4_hardware(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
-                                                glm::vec<2, T> deviations, T amount, T far = T(1)) {
+                                                glm::vec<2, T> deviations, T amount, T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T d = forward_depth(glm::clamp(receiver, T(0), T(1)), far);
+    const T d = forward_depth(glm::clamp(receiver, T(0), T(1)), cleared);
     const T w = warp_depth(d, exponents.x), n = T(0) - warp_depth(d, T(0) - exponents.y);
     const T least_w = deviations.x * w, least_n = deviations.y * n;
-    const T a = chebyshev_hardware(glm::max(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
-    const T b = chebyshev_hardware(glm::max(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
-    return glm::min(a, b);
+    const T a = chebyshev_hardware(detail::greater(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
+    const T b = chebyshev_hardware(detail::greater(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
+    return detail::lesser(a, b);
 }
 
 namespace glsl {
@@ -7025,21 +7273,21 @@ inline const glm::vec2 msm_bias_32{3e-6f, 0.375f};  ///< of floats of 32 bits
 inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< of four channels of 16 bits, turned
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1, 1, 1)
-/// @param far       1, or 0 where depth is reversed
+/// @param cleared   1, or 0 where depth is reversed
 /// @formula         (z, z^2, z^3, z^4), z = 2 forward_depth - 1
-/// @exactness       B
+/// @exactness       B, n = 15
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015; on [-1, 1]: Peters et al.: Improved moment shadow
 ///                  maps for translucent occluders, soft shadows and single scattering, JCGT 2017
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_msm(T depth, T far = T(1)) {
-    const T z = forward_depth(saturate(depth, far), far) * T(2) - T(1);
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_msm(T depth, T cleared = T(1)) {
+    const T z = forward_depth(saturate(depth, cleared), cleared) * T(2) - T(1);
     const T square = z * z;
     return {z, square, square * z, square * square};
 }
 
 /// Moments for four channels of 16 bits: each takes [0, 1] wholly. A mean of turned moments is the mean, turned.
 /// @formula         (1.5 b1 - 2 b3 + 1/2, 4 b2 - 4 b4, sqrt(3)/2 b1 - 2 sqrt(3)/9 b3 + 1/2, (b2 + b4) / 2)
-/// @exactness       B
+/// @exactness       B, n = 4
 /// @cite            Peters et al., JCGT 2017
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments(glm::vec<4, T> b) {
@@ -7048,7 +7296,7 @@ template <real T>
 }
 
 /// @formula         the inverse of turn_moments
-/// @exactness       B;  off by at most 2^-22 of what was turned, of rounding on both ways
+/// @exactness       B, n = 5;  off by at most 2^-22 of what was turned, of rounding on both ways
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments_back(glm::vec<4, T> o) {
     const T x = o.x - T(0.5), z = o.z - T(0.5), eighth = o.y * T(0.125);
@@ -7115,7 +7363,7 @@ template <real T>
 /// @formula         D = b2 - b1^2, L = b3 - b1 b2, E = b4 - b2^2 - L l, l = L / D, h = 2 b1 - l, q(t) = (t + h) t - D;
 ///                  t the roots of a t^2 + B t + c, a = D q(x), B = x E + h a, c = D (E - a); the share at t is
 ///                  D E / (D E + t^2 E + q(t)^2 D)
-/// @exactness       C: five divisions and a root
+/// @exactness       C, n = 1357: five divisions and a root
 template <real T>
 [[nodiscard]] glm::vec<4, T> moment_atoms(glm::vec<4, T> b, T x) {
     const detail::atom_equation<T> equation(b, x);
@@ -7124,7 +7372,7 @@ template <real T>
 
 /// Moments as moment_atoms takes them.
 /// @param bias      msm_bias_32, msm_bias_16
-/// @exactness       B
+/// @exactness       B, n = 3
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> bias_moments(glm::vec<4, T> b, glm::vec<2, T> bias) {
     return {b.x - b.x * bias.x, b.y + (bias.y - b.y) * bias.x, b.z - b.z * bias.x, b.w + (bias.y - b.w) * bias.x};
@@ -7143,8 +7391,8 @@ template <real T>
 ///                  share of 1e-4 towards 0.375, 0.9 with msm_bias_32, of which it says little
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
-[[nodiscard]] T decode_msm(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    const T d = forward_depth(receiver, far);
+[[nodiscard]] T decode_msm(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    const T d = forward_depth(receiver, cleared);
     const glm::vec<4, T> m = bias_moments(b, bias);
     const T x = detail::moment_depth(d) - m.x;
     return detail::lit_by_atoms(moment_atoms(m, x), x, d);
@@ -7156,6 +7404,7 @@ inline constexpr snippet encode_msm{
     .name = "encode_msm",
     .summary = "depth to its first four powers on [-1, 1]",
     .exactness = tier::b,
+    .operations = 15,
     .needs = list<&saturate, &forward_depth>,
     .source = R"GLSL(
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
@@ -7171,6 +7420,7 @@ inline constexpr snippet turn_moments{
     .name = "turn_moments",
     .summary = "four moments to four channels of 16 bits",
     .exactness = tier::b,
+    .operations = 4,
     .source = R"GLSL(
 // umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
 UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
@@ -7187,6 +7437,7 @@ inline constexpr snippet turn_moments_back{
     .name = "turn_moments_back",
     .summary = "four channels of 16 bits to four moments",
     .exactness = tier::b,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
 UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
@@ -7207,6 +7458,7 @@ inline constexpr snippet moment_atoms{
     .summary = "the two depths that make four moments beside a receiver's",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .source = R"GLSL(
 // umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
 //   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
@@ -7235,6 +7487,7 @@ inline constexpr snippet bias_moments{
     .name = "bias_moments",
     .summary = "four moments, moved a little towards those of spread depths",
     .exactness = tier::b,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
 UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2 bias) {
@@ -7252,6 +7505,7 @@ inline constexpr snippet decode_msm{
     .summary = "mean of four moments to visibility",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&bias_moments, &forward_depth, &moment_atoms>,
     .source = R"GLSL(
 // umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
@@ -7301,8 +7555,8 @@ namespace umbrage {
 ///                  -1 is ((1 + z) (d D + g (1 - b1)) - k) / (2 (1 + z) p), that at 1 has the sign of
 ///                  ((1 - z) (d D - g (1 + b1)) + k) q, that at f, which lies before the receiver where d > 0, is
 ///                  d^4 / (p q (x d - g)): interpolation's weights, of central moments, where few digits cancel
-/// @exactness       C: two divisions; which depths there are is decided without one. In binary32 off, to first order,
-///                  by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the absolute
+/// @exactness       C, n = 173: two divisions; which depths there are is decided without one. In binary32 off, to
+///                  first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the absolute
 ///                  coefficients of the polynomial of degree 4 whose mean is the share: 1 at -1, twice 0 at f, 0 at z
 ///                  and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1. Rounding up to d and g
 ///                  does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the share does not change with
@@ -7343,8 +7597,9 @@ template <real T>
 /// @exactness       C: within 1/64 in a shader
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
-[[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    return detail::lit_within(decode_msm(b, receiver, bias, far), bias_moments(b, bias), forward_depth(receiver, far));
+[[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::lit_within(decode_msm(b, receiver, bias, cleared), bias_moments(b, bias),
+                              forward_depth(receiver, cleared));
 }
 
 namespace glsl {
@@ -7354,6 +7609,7 @@ inline constexpr snippet hausdorff_share{
     .summary = "least share of depths before a receiver, of depths on [-1, 1]",
     .exactness = tier::c,
     .within = 1.0f / 1048576.0f,
+    .as_written = true,
     .source = R"GLSL(
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
@@ -7387,6 +7643,7 @@ inline constexpr snippet decode_msm_hausdorff{
     .summary = "mean of four moments of depths on [-1, 1] to visibility",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&bias_moments, &decode_msm, &forward_depth, &hausdorff_share>,
     .source = R"GLSL(
 // umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
@@ -7423,27 +7680,26 @@ namespace umbrage {
 /// @param fetch     ivec2 texel -> float or vector; called four times, texels may lie one outside the map
 /// @param coord     in texels, the first texel's centre is (0.5, 0.5); inside texel space
 /// @return          as fetch
-/// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
-///                  of texels below 2^111
-/// @exactness       B;  A where texels are multiples of 2^-8 below 1
+/// @formula         (a (1 - s) + b s) (1 - t) + (c (1 - s) + d s) t, s and t in [0, 1), multiples of 1/256
+/// @exactness       B, n = 12;  A where texels are multiples of 2^-8 below 1
 template <real T, class Fetch>
 [[nodiscard]] auto fetch_bilinear(Fetch&& fetch, glm::vec<2, T> coord) {
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    const glm::vec<2, T> hi = x - texel * T(256), lo = T(256) - hi;
+    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)), lo = T(1) - hi;
     const glm::ivec2 at(texel);
     const auto a = fetch(at), b = fetch(at + glm::ivec2(1, 0));
     const auto c = fetch(at + glm::ivec2(0, 1)), d = fetch(at + glm::ivec2(1, 1));
     const auto low = a * lo.x + b * hi.x, high = c * lo.x + d * hi.x;
-    return (low * lo.y + high * hi.y) * T(1.0 / 65536.0);
+    return low * lo.y + high * hi.y;
 }
 
 namespace detail {
 
 /// What look-ups share: who is not compared is lit.
 template <real T, class Fetch, class Decode>
-[[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T far, const Decode& decode) {
-    const comparison is_lit{far < T(0.5) ? depth_direction::reversed : depth_direction::forward};
+[[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T cleared, const Decode& decode) {
+    const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
     return is_compared(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
 }
 
@@ -7453,59 +7709,60 @@ template <real T, class Fetch, class Decode>
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @formula          decode_vsm of fetch_bilinear
-/// @exactness        C, 1 ulp: a division
+/// @exactness        C, n = 109: a division
 template <real T, class Fetch>
-[[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<2, T> m) { return decode_vsm(m, receiver, min_variance, far); });
+[[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<2, T> m) { return decode_vsm(m, receiver, min_variance, cleared); });
 }
 
 /// As vsm, of texels of encode_esm.
-/// @exactness        B
+/// @exactness        B, n = 49
 template <real T, class Fetch>
-[[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far, [&](T m) { return decode_esm(m, receiver, exponent, far); });
+[[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](T m) { return decode_esm(m, receiver, exponent, cleared); });
 }
 
 /// As vsm, of texels of encode_evsm2.
-/// @exactness        C, 1 ulp: a division
+/// @exactness        C, n = 139: a division
 template <real T, class Fetch>
-[[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<2, T> m) { return decode_evsm2(m, receiver, exponent, deviation, far); });
+[[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<2, T> m) { return decode_evsm2(m, receiver, exponent, deviation, cleared); });
 }
 
 /// As vsm, of texels of encode_evsm4.
-/// @exactness        C, 1 ulp: a division
+/// @exactness        C, n = 139: a division
 template <real T, class Fetch>
 [[nodiscard]] T evsm4(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> exponents,
-                      glm::vec<2, T> deviations, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<4, T> m) { return decode_evsm4(m, receiver, exponents, deviations, far); });
+                      glm::vec<2, T> deviations, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<4, T> m) { return decode_evsm4(m, receiver, exponents, deviations, cleared); });
 }
 
 /// As vsm, of texels of encode_msm.
 /// @exactness        C: within 1/64 in a shader
 template <real T, class Fetch>
-[[nodiscard]] T msm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<4, T> b) { return decode_msm(b, receiver, bias, far); });
+[[nodiscard]] T msm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<4, T> b) { return decode_msm(b, receiver, bias, cleared); });
 }
 
 /// As vsm, of texels of turn_moments(encode_msm).
 /// @exactness        C: within 1/64 in a shader
 template <real T, class Fetch>
-[[nodiscard]] T msm_turned(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<4, T> o) { return decode_msm(turn_moments_back(o), receiver, bias, far); });
+[[nodiscard]] T msm_turned(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<4, T> o) { return decode_msm(turn_moments_back(o), receiver, bias, cleared); });
 }
 
 /// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
-/// @exactness        C: as decode_msm_hausdorff
+/// @exactness        C, n = 22861: as decode_msm_hausdorff
 template <real T, class Fetch>
-[[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    return detail::look_up(fetch, coord, receiver, far,
-                           [&](glm::vec<4, T> b) { return decode_msm_hausdorff(b, receiver, bias, far); });
+[[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared,
+                           [&](glm::vec<4, T> b) { return decode_msm_hausdorff(b, receiver, bias, cleared); });
 }
 
 namespace glsl {
@@ -7514,6 +7771,7 @@ inline constexpr snippet fetch_bilinear{
     .name = "fetch_bilinear",
     .summary = "mean of the four texels around a point",
     .exactness = tier::b,
+    .operations = 12,
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
@@ -7521,16 +7779,17 @@ inline constexpr snippet fetch_bilinear{
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
     UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
     UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
-    return sum * (1.0 / 65536.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 mean = low * lo.y + high * hi.y;
+    return mean;
 }
 )GLSL",
 };
@@ -7539,7 +7798,7 @@ inline constexpr snippet vsm{
     .name = "vsm",
     .summary = "visibility from a map of encode_vsm's texels",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 109,
     .needs = list<&is_compared, &fetch_bilinear, &decode_vsm>,
     .source = R"GLSL(
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
@@ -7559,6 +7818,7 @@ inline constexpr snippet esm{
     .name = "esm",
     .summary = "visibility from a map of encode_esm's texels",
     .exactness = tier::b,
+    .operations = 49,
     .needs = list<&is_compared, &fetch_bilinear, &decode_esm>,
     .source = R"GLSL(
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
@@ -7578,7 +7838,7 @@ inline constexpr snippet evsm2{
     .name = "evsm2",
     .summary = "visibility from a map of encode_evsm2's texels",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 139,
     .needs = list<&is_compared, &fetch_bilinear, &decode_evsm2>,
     .source = R"GLSL(
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
@@ -7599,7 +7859,7 @@ inline constexpr snippet evsm4{
     .name = "evsm4",
     .summary = "visibility from a map of encode_evsm4's texels",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 139,
     .needs = list<&is_compared, &fetch_bilinear, &decode_evsm4>,
     .source = R"GLSL(
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
@@ -7621,6 +7881,7 @@ inline constexpr snippet msm{
     .summary = "visibility from a map of encode_msm's texels",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&is_compared, &fetch_bilinear, &decode_msm>,
     .source = R"GLSL(
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
@@ -7641,6 +7902,7 @@ inline constexpr snippet msm_turned{
     .summary = "visibility from a map of turned moments",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&is_compared, &fetch_bilinear, &decode_msm, &turn_moments_back>,
     .source = R"GLSL(
 // umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
@@ -7661,6 +7923,7 @@ inline constexpr snippet msm_hausdorff{
     .summary = "visibility from a map of encode_msm's texels",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&is_compared, &fetch_bilinear, &decode_msm_hausdorff>,
     .source = R"GLSL(
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
@@ -7707,7 +7970,7 @@ namespace detail {
 /// @param step      (1, 0) along x, (0, 1) along y
 /// @formula         w0 c + w1 (before1 + after1) + ..., in this order,
 ///                  w_i = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
-/// @exactness       B;  A for 5 taps both ways over multiples of 2^-16 below 1
+/// @exactness       B, n = 7, 12, 17 of 3, 5, 7 taps;  A for 5 taps both ways over multiples of 2^-16 below 1
 template <int Taps, class Fetch>
 [[nodiscard]] auto blur_row(Fetch&& fetch, glm::ivec2 texel, glm::ivec2 step) {
     static_assert(Taps == 3 || Taps == 5 || Taps == 7);
@@ -7722,7 +7985,7 @@ template <int Taps, class Fetch>
 /// Mean of the 2x2 texels that one of the next level of a mip chain is made of.
 /// @param texel     of the next level; where a level's size is odd, its last column or row counts twice
 /// @formula         ((a + b) + (c + d)) / 4
-/// @exactness       B;  A for multiples of 2^-22 below 1
+/// @exactness       B, n = 8;  A for multiples of 2^-22 below 1
 template <class Fetch>
 [[nodiscard]] auto halve_texels(Fetch&& fetch, glm::ivec2 texel) {
     const glm::ivec2 at = texel * 2;
@@ -7760,6 +8023,7 @@ template <int Taps>
 inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
                                   .summary = "mean of texels in a row",
                                   .exactness = tier::b,
+                                  .operations = (5 * Taps - 1) / 2,
                                   .needs = list<&fetch_clamped>,
                                   .source = {blur_row_text, Taps}};
 
@@ -7767,6 +8031,7 @@ inline constexpr snippet halve_texels{
     .name = "halve_texels",
     .summary = "mean of 2x2 texels",
     .exactness = tier::b,
+    .operations = 8,
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
 // umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
@@ -7806,7 +8071,7 @@ namespace umbrage {
 /// @param half_width   columns of either half
 /// @param first        of the box: lowest column and row;   end  highest and one, first < end
 /// @formula            (a - b - c + d) mod 2^32 over the number of texels
-/// @exactness          C, 1 ulp: a division; its dividend is the sum to half an ulp, while that is below 2^32, however
+/// @exactness          C, n = 19: a division; its dividend is the sum to half an ulp, while that is below 2^32, however
 ///                     often the table has wrapped
 template <real T, class Fetch>
 [[nodiscard]] glm::vec<4, T> box_mean(Fetch&& table, int half_width, glm::ivec2 first, glm::ivec2 end) {
@@ -7837,15 +8102,16 @@ template <real T, class Fetch>
 ///                   SIGGRAPH 1984
 template <real T, class Fetch>
 [[nodiscard]] T summed_moments(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius,
-                               glm::vec<2, T> bias, T far = T(1)) {
-    const comparison is_lit{far < T(0.5) ? depth_direction::reversed : depth_direction::forward};
+                               glm::vec<2, T> bias, T cleared = T(1)) {
+    const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
     const int reach = static_cast<int>(radius);
-    const glm::ivec2 first = glm::max(texel - reach, glm::ivec2(0)), end = glm::min(texel + reach + 1, map);
+    const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
+                     end = detail::lesser(texel + reach + 1, map);
     const glm::vec<4, T> turned = box_mean<T>(table, size.x / 2, first, end) * T(1.0 / 65535.0);
-    return decode_msm(turn_moments_back(turned), receiver, bias, far);
+    return decode_msm(turn_moments_back(turned), receiver, bias, cleared);
 }
 
 namespace glsl {
@@ -7854,7 +8120,7 @@ inline constexpr snippet box_mean{
     .name = "box_mean",
     .summary = "mean of four whole numbers over a box, from a summed-area table in two halves",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 19,
     .needs = list<&texel>,
     .source = R"GLSL(
 // umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
@@ -7886,6 +8152,7 @@ inline constexpr snippet summed_moments{
     .summary = "moment shadow over a box of any size, from a summed-area table",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
+    .as_written = true,
     .needs = list<&is_compared, &box_mean, &turn_moments_back, &decode_msm>,
     .source = R"GLSL(
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
@@ -7942,9 +8209,10 @@ template <real T, class Fetch>
     const four part = (a - b) - (c - d);
     const T carry_1 = glm::floor(part.x * T(1.0 / 65536.0)), carry_2 = glm::floor(part.z * T(1.0 / 65536.0));
     const T above_1 = part.y + carry_1, above_2 = part.w + carry_2;
-    const T low_1 = part.x - carry_1 * T(65536), low_2 = part.z - carry_2 * T(65536);
-    const T high_1 =
-        glm::max(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));  // or a compiler distributes
+    // Nothing below is negative; compilers cannot regroup sums across a max.
+    const T low_1 = detail::greater(part.x - carry_1 * T(65536), T(0)),
+            low_2 = detail::greater(part.z - carry_2 * T(65536), T(0));
+    const T high_1 = detail::greater(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));
     const T sum = high_1 * T(65536) + low_1;
     const T high_2 = above_2 - glm::floor(above_2 * T(1.0 / 65536.0)) * T(65536);
     const glm::vec<2, T> sides(end - first);
@@ -7977,7 +8245,8 @@ template <real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
     const int reach = static_cast<int>(radius);
-    const glm::ivec2 first = glm::max(texel - reach, glm::ivec2(0)), end = glm::min(texel + reach + 1, size);
+    const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
+                     end = detail::lesser(texel + reach + 1, size);
     const glm::vec<4, T> m = box_moments<T>(table, first, end);
     const T n = T((end.x - first.x) * (end.y - first.y)), share = m.y / n;
     const T variance = (m.z * T(4096) + (m.w - m.y)) / n + share * (T(1) - share);
@@ -8007,16 +8276,17 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
     UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
     UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
     UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
-    low = low - carry * 65536.0;
-    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));  // or a compiler distributes
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, vec2(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
-    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP vec2 sides = max(end - first, vec2(1.0, 1.0));
     UMBRAGE_HIGHP float n = sides.x * sides.y;
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(sum, n);
-    UMBRAGE_HIGHP float rest = sum - mean * n;
+    UMBRAGE_HIGHP float rest = max(sum - mean * n, 0.0);
     UMBRAGE_HIGHP vec2 digits = vec2(sum + rest, low.y);
     UMBRAGE_HIGHP vec2 high = floor(digits * (1.0 / 4096.0));
-    digits = digits - high * 4096.0;
+    digits = max(digits - high * 4096.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float below = digits.y - mean * digits.x;
     UMBRAGE_HIGHP float borrow = floor(below * (1.0 / 4096.0));
     UMBRAGE_HIGHP float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
@@ -8108,7 +8378,7 @@ inline constexpr int deepest_page_level = 15;
 ///                 on. Beside the root and without a page (32768, 32768, 0, 0), which every filter takes as lit; a
 ///                 coordinate that is NaN or infinite gives more than that or NaN
 /// @formula        origin = slot (page + 2 gutter); (coord 2^level - floor(coord 2^level)) page + gutter
-/// @exactness      A, for bytes read within 2^-(level + 2) of themselves
+/// @exactness      A
 /// @cite           Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
 template <real T, class Table>
 [[nodiscard]] glm::vec<4, T> page_coordinate(Table&& table, T size, glm::vec<2, T> coord, T page, T gutter) {
@@ -8134,12 +8404,16 @@ inline constexpr snippet page_coordinate{
 //   page, gutter  side of a page and what it has around it, texels
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
-    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    // not negative already; compilers cannot regroup sums across max and clamp
+    UMBRAGE_HIGHP vec2 sides = max(size - 2.0, vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 before = max(size - 3.0, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * sides - before), size - 1.0);
     UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // of a NaN the first
-    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, vec2(texel));
-    UMBRAGE_HIGHP vec2 slot = umbrage_from_unorm(vec2(entry.x, entry.y));
-    UMBRAGE_HIGHP float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    UMBRAGE_HIGHP vec2 at = fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
+    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, vec2(texel)));
+    UMBRAGE_HIGHP vec2 slot = vec2(entry.x, entry.y);
+    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec2 within = clamp(fract(coord * across), vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
     return vec4(at, slot * (page + gutter * 2.0));
 }
 )GLSL",
@@ -8175,7 +8449,7 @@ template <real T>
 /// @param scale, offset   of the weight, the w of a cascade's own
 /// @return                0 .. 1 in steps of 1/256; NaN gives 0
 /// @formula               depth scale + offset
-/// @exactness             B: a product and a sum
+/// @exactness             B, n = 3: a product and a sum
 template <real T>
 [[nodiscard]] constexpr T cascade_fade(T depth, T scale, T offset) {
     return cascade_weight(depth * scale + offset);
@@ -8187,7 +8461,7 @@ template <real T>
 /// @param per_texel    weight a texel: 1 / width of the band along the border
 /// @return             0 .. 1 in steps of 1/256; NaN gives 0
 /// @formula            1 - (distance from the border - reach) per_texel, where the border is nearest
-/// @exactness          B
+/// @exactness          B, n = 8
 template <real T>
 [[nodiscard]] T cascade_border_fade(glm::vec<2, T> coordinate, glm::vec<2, T> size, T reach, T per_texel) {
     const glm::vec<2, T> half = size * T(0.5);
@@ -8195,13 +8469,13 @@ template <real T>
         const T beyond = glm::abs(c - h) - (h - reach);
         return cascade_weight(beyond * per_texel + T(1));
     };
-    return glm::max(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
+    return detail::greater(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
 }
 
 /// Two cascades' visibilities, mixed.
 /// @param weight    of the farther cascade's, 0 .. 1
 /// @formula         nearer + (farther - nearer) weight, from weight 1 on farther alone
-/// @exactness       B; nothing rounds where visibilities are multiples of 2^-16 and weights of 1/256
+/// @exactness       B, n = 3; nothing rounds where visibilities are multiples of 2^-16 and weights of 1/256
 template <real T>
 [[nodiscard]] constexpr T blend_cascades(T nearer, T farther, T weight) {
     return weight < T(1) ? nearer + (farther - nearer) * weight : farther;
@@ -8253,6 +8527,7 @@ inline constexpr snippet cascade_fade{
     .name = "cascade_fade",
     .summary = "weight of the next cascade, by view depth",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&cascade_weight>,
     .source = R"GLSL(
 // umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
@@ -8268,6 +8543,7 @@ inline constexpr snippet cascade_border_fade{
     .name = "cascade_border_fade",
     .summary = "weight of the next cascade, by distance from the border",
     .exactness = tier::b,
+    .operations = 8,
     .needs = list<&cascade_weight>,
     .source = R"GLSL(
 // umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
@@ -8288,6 +8564,7 @@ inline constexpr snippet blend_cascades{
     .name = "blend_cascades",
     .summary = "two cascades' visibilities, mixed",
     .exactness = tier::b,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
 UMBRAGE_HIGHP float umbrage_blend_cascades(UMBRAGE_HIGHP float nearer, UMBRAGE_HIGHP float farther,
@@ -8381,7 +8658,7 @@ template <real T>
 /// @param scale, offset   of the cascade, see cascade; their w is not used
 /// @return                (x, y) in texels, depth: what filters take, without a division
 /// @formula               light scale + offset
-/// @exactness             B: a product and a sum each
+/// @exactness             B, n = 2: a product and a sum each
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cascade_coordinate(glm::vec<3, T> light, glm::vec<4, T> scale,
                                                           glm::vec<4, T> offset) {
@@ -8390,7 +8667,7 @@ template <real T>
 
 /// True for a coordinate whose filter stays inside the map, between the near and the far plane.
 /// @param size    of the map, in texels;   reach  of the filter, in texels
-/// @exactness     B: differences, exact where size and reach are multiples of 1/16
+/// @exactness     B, n = 2: differences, exact where size and reach are multiples of 1/16
 template <real T>
 [[nodiscard]] constexpr bool inside_cascade(glm::vec<3, T> coordinate, glm::vec<2, T> size, T reach) {
     const auto within = [](T low, T v, T high) { return !is_nan(v) && v >= low && v <= high; };
@@ -8405,7 +8682,7 @@ template <real T>
 /// @return                 (x, y) in texels, depth, number; (65536, 65536, 0, 4), which every filter takes as lit,
 ///                         where none holds it: shaders read a texel all the same, so that the layer must be one that
 ///                         is there, min(number, 3)
-/// @exactness              B
+/// @exactness              B, n = 4
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
                                                              const glm::mat<4, 4, T>& offsets, glm::vec<2, T> size,
@@ -8456,6 +8733,7 @@ inline constexpr snippet cascade_coordinate{
     .name = "cascade_coordinate",
     .summary = "a point in the map of one cascade",
     .exactness = tier::b,
+    .operations = 2,
     .source = R"GLSL(
 // umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
 UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
@@ -8471,6 +8749,7 @@ inline constexpr snippet inside_cascade{
     .name = "inside_cascade",
     .summary = "coordinates whose filter stays inside a cascade",
     .exactness = tier::b,
+    .operations = 2,
     .source = R"GLSL(
 // umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
 bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float reach) {
@@ -8487,6 +8766,7 @@ inline constexpr snippet cascade_by_projection{
     .name = "cascade_by_projection",
     .summary = "first cascade that holds a point and its filter",
     .exactness = tier::b,
+    .operations = 4,
     .needs = list<&cascade_coordinate, &inside_cascade>,
     .source = R"GLSL(
 // umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
@@ -8565,7 +8845,7 @@ template <std::size_t Count, real T>
     }
     splits[Count] = z_far;
     for (std::size_t i = 0; i < Count; ++i)
-        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "are too close together");
+        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "must be farther apart");
     return splits;
 }
 
@@ -8660,7 +8940,7 @@ inline constexpr const snippet* cube_atlas_snippets[]{&cube_atlas_texel, &cube_a
 // ---- umbrage/light/directional_light.hpp
 // A directional light's space as the classic course exercise sets it up.
 //
-//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024});
+//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024, .clip = clip});
 //
 
 namespace umbrage {
@@ -8675,7 +8955,7 @@ struct directional_light {
     T texels_per_unit = T(10);                    ///< across the light, world units; > 0
     T z_near = T(0.1);                            ///< world units from the light
     T z_far = T(100);
-    clip_space clip{};
+    clip_space clip{};  ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
@@ -8706,7 +8986,7 @@ template <real T = float>
 // Two square maps around a point light, a paraboloid's image of either half of all directions in each. Shadows go by
 // distance, and straight edges become arcs: draw a mesh that tessellate has cut.
 //
-//     auto light = umbrage::make_dual_paraboloid_light<float>({.position = p, .range = 30, .border = 2});
+//     auto light = umbrage::make_dual_paraboloid_light<float>({.position = p, .range = 30, .border = 2, .clip = clip});
 //     auto cut = umbrage::tessellate(mesh, {p, umbrage::paraboloid_edge_angle(512, 2), 30});
 //     for (int map : {0, 1}) umbrage::rasterize_dual_paraboloid(maps[map].view(), cut.view(), light, map);
 //
@@ -8716,6 +8996,12 @@ template <real T = float>
 //
 // A vertex shader's gl_Position is projection * umbrage_dual_paraboloid_position(world - p, map), of the mesh as it is
 // cut. What is behind the map needs a clip distance: position.w - 0.1 * distance, say.
+//
+// plane_slope does not hold for distances. The bias is that of their slope a texel, with d = normalize(world - p) and t
+// the angle between d and the surface's normal; 0.825 texels are for what tessellation leaves of places:
+//
+//     float slope = depth * 2 * (1 + std::abs(d.z)) / (512 - 2 * 2) * std::tan(t);
+//     float bias = umbrage::acne_free_bias(glm::vec2(slope * std::sqrt(0.5f)), filter.reach() + 0.825f, error);
 //
 // A border of texels sees past the half: filters then need no other map, as in point_light.hpp.
 
@@ -8727,7 +9013,7 @@ struct dual_paraboloid_light {
     T range = T(100);    ///< > 0, world units: distances from the light that have a depth
     int map_size = 512;  ///< of either map, in texels, >= 16
     int border = 0;      ///< texels around the half's circle, within map_size, at most an eighth of it
-    clip_space clip{};
+    clip_space clip{};   ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// Where in its map a direction is seen: the first holds +z, the other -z, each the way round that a right-handed view
@@ -8737,7 +9023,7 @@ struct dual_paraboloid_light {
 /// @return            (s, t, map): s and t from 0 to 1 over the map's square, within its circle; map 0 or 1
 /// @formula           s = 1/2 + -x / 2 (|p| + |z|), for z < 0 with x, t = 1/2 + y / 2 (|p| + |z|): a texel is as wide
 ///                    as it is high, 2 (1 + |z| / |p|) / map_size radians, in the middle twice of what it is at the rim
-/// @exactness         C: a square root and divisions, of each of which GLSL allows 2.5 ulp and more; 0 seen
+/// @exactness         C, n = 32: a square root and divisions, of each of which GLSL allows 2.5 ulp and more; 0 seen
 /// @cite              Brabec, Annen, Seidel: Shadow Mapping for Hemispherical and Omnidirectional Light Sources, 2002
 template <real T>
 [[nodiscard]] glm::vec<3, T> dual_paraboloid_coordinate(glm::vec<3, T> direction) {
@@ -8753,7 +9039,7 @@ template <real T>
 /// @return            (x w, y w, distance w, w): x and y from -1 to 1 in the map's half, farther out beyond it; w is 0
 ///                    in the middle of the other half, and never below
 /// @formula           w = |p| + z, of map 1 |p| - z
-/// @exactness         C: a square root; 0 seen
+/// @exactness         C, n = 18: a square root; 0 seen
 template <real T>
 [[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
     const bool behind = map > T(0.5);
@@ -8772,6 +9058,7 @@ template <real T = float>
     detail::require(light.map_size >= 16, function, "map_size", "must be at least 16");
     detail::require(light.border >= 0 && light.border <= light.map_size / 8, function, "border",
                     "must be at least 0 and at most an eighth of map_size");
+    detail::require_given(light.clip, function);
     detail::require(detail::all_finite(light.position), function, "position", "must be finite");
     const bool in_range = light.range > T(0) && detail::is_normal(light.range) && detail::is_normal(T(1) / light.range);
     detail::require(in_range, function, "range", "must be above 0, and it and 1 / range finite");
@@ -8806,7 +9093,7 @@ inline constexpr snippet dual_paraboloid_coordinate{
     .name = "dual_paraboloid_coordinate",
     .summary = "paraboloid map, and where in it, that sees a direction",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 32,
     .source = R"GLSL(
 // umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
 UMBRAGE_HIGHP vec3 umbrage_dual_paraboloid_coordinate(UMBRAGE_HIGHP vec3 direction) {
@@ -8824,7 +9111,7 @@ inline constexpr snippet dual_paraboloid_position{
     .name = "dual_paraboloid_position",
     .summary = "a vertex of a paraboloid map's depth pass",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 18,
     .source = R"GLSL(
 // umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
 //   direction  from the light to the vertex;   map  0.0 or 1.0
@@ -8853,7 +9140,9 @@ inline constexpr const snippet* dual_paraboloid_snippets[]{&dual_paraboloid_coor
 namespace umbrage {
 
 /// z/w of the near plane: 0 or -1, and 1 where depth is reversed.
+/// @throws std::invalid_argument  clip unset
 [[nodiscard]] constexpr float near_depth(clip_space clip) {
+    detail::require_given(clip, "near_depth");
     if (clip.direction == depth_direction::reversed) return 1.0f;
     return clip.range == depth_range::zero_to_one ? 0.0f : -1.0f;
 }
@@ -8864,7 +9153,7 @@ namespace umbrage {
 /// @param position   in clip space
 /// @param at_near    z/w of the near plane, near_depth: 0, -1 or 1, where 1 says that depth is reversed
 /// @return           z = max(z, at_near w), or min for reversed depth; a NaN in z stays
-/// @exactness        B: selects; where denormals compare as zeros, those before the plane stay
+/// @exactness        B, n = 1: selects; where denormals compare as zeros, those before the plane stay
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> pancaked(glm::vec<4, T> position, T at_near) {
     const T plane = at_near * position.w;
@@ -8878,6 +9167,7 @@ inline constexpr snippet pancaked{
     .name = "pancaked",
     .summary = "casters before the near plane, onto it",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
@@ -8897,7 +9187,7 @@ inline constexpr const snippet* pancake_snippets[]{&pancaked};
 // ---- umbrage/light/point_light.hpp
 // A point light's six spaces, for a cube texture's faces or an atlas's tiles.
 //
-//     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2});
+//     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2, .clip = clip});
 //     glm::vec3 at = umbrage::cube_coordinate(world - p);
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
 //
@@ -8914,7 +9204,7 @@ struct point_light {
     T z_far = T(100);    ///< > z_near; infinite: no far plane
     int map_size = 512;  ///< of a face, in texels, > 2 border
     int border = 0;      ///< texels beyond each edge of the face, within map_size
-    clip_space clip{};
+    clip_space clip{};   ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// Views along cube_faces and perspective projections of 90 degrees and the border, whose first texel is (0, 0) of
@@ -8946,7 +9236,8 @@ template <real T = float>
 // ---- umbrage/light/spot_light.hpp
 // A spot light's space.
 //
-//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .outer_angle_radians = 0.6f});
+//     auto light = umbrage::make_spot_light(
+//         {.position = p, .direction = d, .outer_angle_radians = 0.6f, .clip = umbrage::opengl_clip_space});
 //
 
 namespace umbrage {
@@ -8959,7 +9250,7 @@ struct spot_light {
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
     T z_near = T(0.1);                                  ///< > 0, world units
     T z_far = T(100);                                   ///< > z_near; infinite: no far plane
-    clip_space clip{};
+    clip_space clip{};                                  ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// View and perspective projection around the light's cone, which the square map holds whole.
@@ -9005,7 +9296,7 @@ template <real T>
 /// @param direction   of any length
 /// @return            0 .. 3; some for NaN
 /// @formula           of the first two where |z| - |x| >= sqrt(2) y, of either two by the sign of z or x
-/// @exactness         B
+/// @exactness         B, n = 1
 /// @cite              Liao: Shadow Mapping for Omnidirectional Light Using Tetrahedron Mapping, GPU Pro, 2010
 template <real T>
 [[nodiscard]] constexpr int tetrahedron_face(glm::vec<3, T> direction) {
@@ -9018,7 +9309,7 @@ template <real T>
 /// A direction in its face's own axes.
 /// @return        (aside, up, away): along the face's base, to the right for who looks along the face with its apex
 ///                above; up in the world, of faces 2 and 3 down; away from the other face of the same two, >= 0
-/// @exactness     B: tetrahedron_face, then selects
+/// @exactness     B, n = 1: tetrahedron_face, then selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_plane(glm::vec<3, T> direction) {
     const int face = tetrahedron_face(direction);
@@ -9029,7 +9320,7 @@ template <real T>
 
 /// Distance to a direction's end along the normal of the face that it meets: what per-face depths are made of.
 /// @formula       sqrt(2/3) away - sqrt(1/3) up
-/// @exactness     B
+/// @exactness     B, n = 3
 template <real T>
 [[nodiscard]] constexpr T tetrahedron_view_z(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = tetrahedron_plane(direction);
@@ -9040,7 +9331,7 @@ template <real T>
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): t from 0 at the base to 1 at the apex, |s| <= 1 - t
 /// @formula           s = aside / d, t = away / d, d = 2 away - sqrt(2) up
-/// @exactness         C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness         C, n = 6: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_coordinate(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = tetrahedron_plane(direction);
@@ -9053,7 +9344,7 @@ template <real T>
 /// @return         texels; face 0's base is the first row, 1's the last, 2's the last column, 3's the first
 /// @formula        of face 0 (h + (h - 3 b) s, b + (h - 3 b) t), h = size / 2: b texels aside in x and in y are 3 b on
 ///                 a base from its corners and 2 b at the apex; the other faces' turned by quarters
-/// @exactness      B
+/// @exactness      B, n = 9
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_texel(glm::vec<3, T> at, T size, T border) {
     const T half = size * T(0.5), scale = half - border * T(3);
@@ -9079,6 +9370,7 @@ inline constexpr snippet tetrahedron_face{
     .name = "tetrahedron_face",
     .summary = "face of a tetrahedron that a direction meets",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
@@ -9095,6 +9387,7 @@ inline constexpr snippet tetrahedron_plane{
     .name = "tetrahedron_plane",
     .summary = "a direction in its tetrahedron face's axes",
     .exactness = tier::b,
+    .operations = 1,
     .needs = list<&tetrahedron_face>,
     .source = R"GLSL(
 // umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
@@ -9112,6 +9405,7 @@ inline constexpr snippet tetrahedron_view_z{
     .name = "tetrahedron_view_z",
     .summary = "distance along the normal of the tetrahedron's face that a direction meets",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&tetrahedron_plane>,
     .source = R"GLSL(
 // umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
@@ -9127,7 +9421,7 @@ inline constexpr snippet tetrahedron_coordinate{
     .name = "tetrahedron_coordinate",
     .summary = "face of a tetrahedron, and where on it, that a direction meets",
     .exactness = tier::c,
-    .ulp = 1,
+    .operations = 6,
     .needs = list<&tetrahedron_face, &tetrahedron_plane>,
     .source = R"GLSL(
 // umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
@@ -9143,6 +9437,7 @@ inline constexpr snippet tetrahedron_texel{
     .name = "tetrahedron_texel",
     .summary = "a point of a tetrahedron's face in the map",
     .exactness = tier::b,
+    .operations = 9,
     .source = R"GLSL(
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels
@@ -9184,7 +9479,8 @@ inline constexpr const snippet* tetrahedron_snippets[]{&tetrahedron_face,   &tet
 // ---- umbrage/light/tetrahedron_light.hpp
 // A point light's four spaces, a tetrahedron's faces, for triangles of one map.
 //
-//     auto faces = umbrage::make_tetrahedron_light<float>({.position = p, .map_size = 1024, .border = 2});
+//     auto faces = umbrage::make_tetrahedron_light<float>(
+//         {.position = p, .map_size = 1024, .border = 2, .clip = clip});
 //     umbrage::rasterize_tetrahedron(map.view(), mesh, faces);  // images/tetrahedron_pass.hpp
 //     glm::vec2 texel = umbrage::tetrahedron_texel(umbrage::tetrahedron_coordinate(world - p), 1024.0f, 2.0f);
 //
@@ -9205,7 +9501,7 @@ struct tetrahedron_light {
     T z_far = T(100);     ///< > z_near; infinite: no far plane
     int map_size = 1024;  ///< of the square, in texels, > 6 border
     int border = 0;       ///< texels along each side of a triangle, within it
-    clip_space clip{};
+    clip_space clip{};    ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// A face's corners, in the order of the three other faces, which look away from them.
@@ -9303,7 +9599,7 @@ namespace umbrage {
 /// @return            1 inside the cone, 0 outside, at its apex, or for NaN
 /// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test,
 ///                    unnormalised
-/// @exactness         B
+/// @exactness         B, n = 11
 /// @cite              Microsoft DirectX SDK, ShadowMap sample
 template <real T>
 [[nodiscard]] constexpr T spot_cone(glm::vec<3, T> direction, glm::vec<3, T> to_point, T cos_outer) {
@@ -9321,7 +9617,7 @@ template <real T>
 /// @param n_dot_l      cosine between normal and direction to the light; from 0 down, and NaN: ambient light alone
 /// @param visibility   of the light, 1 lit
 /// @formula            albedo (visibility n_dot_l (1 - ambient) + ambient) for n_dot_l > 0, else albedo ambient
-/// @exactness          B
+/// @exactness          B, n = 5
 /// @cite               Microsoft DirectX SDK, ShadowMap sample
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, T ambient, T n_dot_l, T visibility) {
@@ -9335,6 +9631,7 @@ inline constexpr snippet spot_cone{
     .name = "spot_cone",
     .summary = "1 inside a spot light's cone",
     .exactness = tier::b,
+    .operations = 11,
     .source = R"GLSL(
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -9355,6 +9652,7 @@ inline constexpr snippet diffuse_ambient{
     .name = "diffuse_ambient",
     .summary = "diffuse plus ambient light of a surface",
     .exactness = tier::b,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
@@ -9388,10 +9686,10 @@ namespace umbrage {
 /// @param v       clamped to [0, 1]; NaN counts as far
 /// @return        RGB in [0, 1]; brightness ramps up at both ends: 0 is dark blue, 1 dark red
 /// @formula       3/2 - |4 v - c|, clamped, with c = 3, 2, 1 for red, green, blue
-/// @exactness     B: one rounded difference a channel
+/// @exactness     B, n = 3: one rounded difference a channel
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> false_colour(T v, T far = T(1)) {
-    const T x = saturate(v, far) * T(4);
+[[nodiscard]] constexpr glm::vec<3, T> false_colour(T v, T cleared = T(1)) {
+    const T x = saturate(v, cleared) * T(4);
     const auto ramp = [x](T peak) {
         const T distance = x < peak ? peak - x : x - peak;
         return saturate(T(1.5) - distance);
@@ -9405,6 +9703,7 @@ inline constexpr snippet false_colour{
     .name = "false_colour",
     .summary = "0..1 to blue, green, red",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_false_colour: blue for 0.0, through green, to red for 1.0
@@ -10538,6 +10837,7 @@ struct depth_receivers {
 template <class = detail::on_use>
 [[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
                                         glm::ivec2 size, clip_space clip) {
+    detail::require_given(clip, "receiver_matrix");
     detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
     const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     glm::dmat4 to_clip(1.0);
@@ -10550,7 +10850,7 @@ template <class = detail::on_use>
     }
     const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
     detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
-                    "give a matrix that is not finite");
+                    "must give a finite matrix");
     return m;
 }
 
@@ -11265,96 +11565,6 @@ void in_pieces(int count, ParallelFor&& parallel, const Piece& piece) {
 
 }  // namespace detail
 }  // namespace umbrage
-
-// ---- umbrage/simd/algorithm.hpp
-// What the library needs of <algorithm>. To include that takes a quarter as long as all else that programs with shadow
-// maps include of the standard library and of GLM.
-//
-//     detail::sort(points, [](glm::vec2 a, glm::vec2 b) { return a.x < b.x; });
-//
-
-namespace umbrage::detail {
-
-/// std::min, std::max and std::clamp, by value.
-template <class T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b) {
-    return b < a ? b : a;
-}
-template <class T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b) {
-    return a < b ? b : a;
-}
-template <class T, class... More>
-[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b, More... more) {
-    return lesser(lesser(a, b), more...);
-}
-template <class T, class... More>
-[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b, More... more) {
-    return greater(greater(a, b), more...);
-}
-template <class T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T limited(T v, T low, T high) {
-    return v < low ? low : (high < v ? high : v);
-}
-
-/// std::copy_n and std::fill_n.
-template <class T>
-UMBRAGE_INLINE constexpr void copy(const T* from, std::size_t count, T* to) {
-    for (std::size_t i = 0; i < count; ++i) to[i] = from[i];
-}
-template <class T>
-UMBRAGE_INLINE constexpr void fill(T* to, std::size_t count, const T& value) {
-    for (std::size_t i = 0; i < count; ++i) to[i] = value;
-}
-
-/// Merges runs twice as long in each turn; what is equal stays in its order.
-/// @param before   (const T&, const T&)
-template <class T, class Before>
-void sort(std::vector<T>& all, const Before& before) {
-    for (std::size_t run = 1; run < all.size(); run *= 2) {
-        const std::vector<T> from = all;
-        for (std::size_t to = 0; to < all.size();) {
-            std::size_t a = to, b = lesser(to + run, all.size());
-            const std::size_t end_a = b, end_b = lesser(b + run, all.size());
-            while (to < end_b)
-                all[to++] = a < end_a && !(b < end_b && before(from[b], from[a])) ? from[a++] : from[b++];
-        }
-    }
-}
-
-/// How many elements, from the first on, are `in_front`, as those behind them are not.
-template <class T, class InFront>
-[[nodiscard]] std::size_t count_in_front(const std::vector<T>& sorted, const InFront& in_front) {
-    std::size_t first = 0;
-    for (std::size_t last = sorted.size(); first < last;) {
-        const std::size_t middle = first + (last - first) / 2;
-        if (in_front(sorted[middle])) first = middle + 1;
-        else last = middle;
-    }
-    return first;
-}
-
-/// The element that would be all[rank], were all sorted; changes their order. None may be a NaN.
-/// @cite   Hoare: Algorithm 65: find, 1961
-template <class T>
-[[nodiscard]] T ranked(std::vector<T>& all, std::size_t rank) {
-    for (std::size_t first = 0, last = all.size() - 1; first < last;) {
-        const T pivot = all[rank];
-        std::size_t i = first, end = last + 1;
-        while (i < end) {
-            while (all[i] < pivot) ++i;
-            while (pivot < all[end - 1]) --end;
-            if (i >= end) break;
-            std::swap(all[i++], all[--end]);
-        }
-        if (rank < end) last = end - 1;
-        else if (rank >= i) first = i;
-        else break;
-    }
-    return all[rank];
-}
-
-}  // namespace umbrage::detail
 
 // ---- umbrage/simd/blocks/box_bounds.hpp
 // Least and greatest depth under boxes of texels, one number each for every place of a box.
@@ -12322,7 +12532,7 @@ namespace umbrage {
 
 /// Least and greatest of some depths.
 struct depth_span {
-    float least = std::numeric_limits<float>::max(), greatest = std::numeric_limits<float>::lowest();
+    float least = detail::highest<float>, greatest = -least;
     [[nodiscard]] bool empty() const { return least > greatest; }
 };
 
@@ -12332,8 +12542,7 @@ struct depth_span {
 /// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011
 template <class ParallelFor = serial>
 [[nodiscard]] depth_span measure_depths(image_view<const float> depths, float cleared, ParallelFor&& parallel = {}) {
-    constexpr auto lowest = std::numeric_limits<std::int32_t>::min(),
-                   highest = std::numeric_limits<std::int32_t>::max();
+    constexpr auto lowest = std::numeric_limits<std::int32_t>::lowest(), highest = detail::highest<std::int32_t>;
     struct ends {
         std::int32_t least = highest, greatest = lowest;
     };
@@ -12378,8 +12587,8 @@ template <real T>
     const auto distance = [&](T depth) {
         return forward ? view_z_from_depth(depth, z_near, z_far) : view_z_from_reversed_depth(depth, z_near, z_far);
     };
-    return {glm::max(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
-            glm::min(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
+    return {detail::greater(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
+            detail::lesser(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
 }
 
 }  // namespace umbrage
@@ -12405,7 +12614,8 @@ enum class cull_mode { none, front, back };
 
 /// What becomes of what lies before the near plane: it is clipped off, or drawn with that plane's depth, so that
 /// casters between the light and a near plane at the receivers still cast. GPUs' depth clamp, but that the far plane
-/// still clips.
+/// still clips. A clamped caster has the near plane's depth: a receiver nearer to that plane than its bias is lit
+/// whatever stands before it. Fits without casters need a margin above the greatest bias.
 enum class near_plane { clips, clamps };
 
 /// The matrix that an instance of a mesh is drawn with.
@@ -12449,19 +12659,20 @@ struct snapped_vertex {
 };
 
 /// @throws std::invalid_argument  a side is negative or above guard_band
-inline void require_drawable(glm::ivec2 size) {
+inline void require_drawable(glm::ivec2 size, clip_space clip) {
+    require_given(clip, "rasterize");
     if (size.x < 0 || size.y < 0) detail::fail("umbrage::rasterize: negative size");
     if (size.x > guard_band || size.y > guard_band) detail::fail("umbrage::rasterize: image side above 16384 texels");
 }
 
 /// What stands for a vertex outside of planes: off the grid, with their bits.
 [[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
-    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
+    return {std::numeric_limits<std::int32_t>::lowest(), static_cast<std::int32_t>(planes), 0.0};
 }
 
 /// A bit for each plane that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
+    return v.x == std::numeric_limits<std::int32_t>::lowest() ? static_cast<unsigned>(v.y) : 0u;
 }
 
 /// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
@@ -12475,7 +12686,7 @@ public:
     /// @throws std::invalid_argument  see require_drawable
     projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        require_drawable(size);
+        require_drawable(size, clip);
     }
 
     [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
@@ -12540,12 +12751,12 @@ public:
     template <class = on_use>
     void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
         using bits = std::int64_t;
-        constexpr bits minus_zero = std::numeric_limits<bits>::min();
+        constexpr bits minus_zero = std::numeric_limits<bits>::lowest();
         const bool forward = clip_.direction == depth_direction::forward;
         const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
         const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
         const bits lowest = forward ? 0 : minus_zero;
-        const bits highest = forward ? std::numeric_limits<bits>::max() : bit_cast<bits>(1.0);
+        const bits highest = forward ? detail::highest<bits> : bit_cast<bits>(1.0);
         on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
             alignas(64) float x[block], y[block], z[block];
             alignas(64) double column[block], row[block], depth[block];
@@ -12914,8 +13125,8 @@ private:
             return bit_cast<double>((bits(2046) << 52) - bit_cast<bits>(power));
         };
         const auto truncate = [](double v) UMBRAGE_INLINE {  // |v| < 2^52; GCC has no vectors of trunc() for AVX2
-            const double size = masked(v, magnitude), near = (size + 0x1p52) - 0x1p52;
-            const double whole = near - masked(1.0, -bits(near > size));
+            const double size = masked(v, magnitude), rounded = (size + 0x1p52) - 0x1p52;
+            const double whole = rounded - masked(1.0, -bits(rounded > size));
             return bit_cast<double>(bit_cast<bits>(whole) | (bit_cast<bits>(v) & ~magnitude));
         };
         for (int i = 0; i < block; ++i) {
@@ -13276,15 +13487,15 @@ public:
 
     /// The triangles of a batch.
     UMBRAGE_INLINE void draw(const triangles& batch) const {
-        const small_triangles small(batch);
+        const small_triangles smaller(batch);
         for (int i = 0; i < batch.count; ++i)
-            if (small.has(i)) expect(batch, i);
-        small.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
-        if (small.has_all()) return;
+            if (smaller.has(i)) expect(batch, i);
+        smaller.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
+        if (smaller.has_all()) return;
         const triangles_of_binade of_binade(batch);
         for (int i = 0; i < batch.count; ++i) {
             if (i + 1 < batch.count) expect(batch, i + 1);
-            if (!small.has(i)) draw(batch, i, of_binade.has(i));
+            if (!smaller.has(i)) draw(batch, i, of_binade.has(i));
         }
     }
 
@@ -13745,12 +13956,12 @@ template <class OnUse = on_use>
 class snapped_mesh {
 public:
     /// @param to_clip   of each instance; those that are not finite draw nothing
-    /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
+    /// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above guard_band
     template <class ParallelFor>
     snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::mat4> to_clip, clip_space clip,
                  cull_mode cull, near_plane at_near, ParallelFor&& parallel)
         : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
-        require_drawable(size);
+        require_drawable(size, clip);
         if (mesh.triangles.empty()) return;
         indices_.resize((mesh.triangles.size() + piece - 1) / piece);
         in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {
@@ -14051,7 +14262,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
 /// @param cull           which faces to leave out
 /// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
 /// @param at_near        what becomes of what lies before the near plane
-/// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
+/// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
 /// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangles.hpp: set_up
@@ -14154,6 +14365,7 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
 //     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
 //     codec.with_encode([&](const auto& encode) UMBRAGE_INLINE { encode(depths, texels); });  // and more blocks
 //
+// A codec is `exact` where none of its results rounds. Compilers may then fuse multiplications and additions.
 
 namespace umbrage::detail {
 
@@ -14186,6 +14398,7 @@ UMBRAGE_INLINE inline void with_saturated(depth_direction direction, const Use& 
 template <class Encoding>
 struct codec {
     using texel = typename Encoding::texel;
+    static constexpr bool exact = false;
     Encoding encoding;
 
     /// Calls use(encode), whose form may hang on what is known at run time: asking that block by block costs a tenth.
@@ -14207,6 +14420,7 @@ template <class Encoding>
 /// rg of any number of bits. Texels are 16-bit words, so that twice as many fit a register.
 struct rg_codec {
     using texel = glm::u8vec2;
+    static constexpr bool exact = true;
     int bits;
     float edge;
     depth_direction direction;
@@ -14253,6 +14467,7 @@ template <int Bits>
 template <>
 struct codec<rgb24> {
     using texel = glm::u8vec3;
+    static constexpr bool exact = true;
     rgb24 encoding;
 
     template <class Use>
@@ -14280,6 +14495,7 @@ template <>
 struct codec<float_bits> {
     static_assert(sizeof(glm::u8vec4) == sizeof(float));
     using texel = glm::u8vec4;
+    static constexpr bool exact = true;
     float_bits encoding;
 
     template <class Use>
@@ -14301,6 +14517,7 @@ struct codec<float_bits> {
 template <>
 struct codec<depth32f> {
     using texel = float;
+    static constexpr bool exact = true;
     depth32f encoding;
 
     template <class Use>
@@ -14330,6 +14547,13 @@ struct codec<depth32f> {
 namespace umbrage {
 namespace detail {
 
+/// Runs loops of a codec. FMA, which AVX-512 brings along, changes no result of an exact codec.
+template <class Codec, class Body>
+void on_isa_of(const Codec&, const Body& body) {
+    if constexpr (Codec::exact) on_best_isa(body);
+    else on_best_isa_without_fma(body);
+}
+
 /// A row in blocks; what is left goes through copies as long as a block, by a conversion that may be another.
 template <class From, class To, class Convert, class ConvertRest>
 UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert,
@@ -14356,7 +14580,7 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
     if (depth.empty()) return;
     const bool large = past_cache(texels);
     parallel(depth.size.y, [&](int first, int last) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
+        on_isa_of(codec, [&](auto) UMBRAGE_INLINE {
             codec.with_encode([&](const auto& in_place) UMBRAGE_INLINE {
                 const auto past_caches = [&](const float* from, texel* to) UMBRAGE_INLINE {
                     alignas(64) texel texels_of_block[block];
@@ -14381,7 +14605,7 @@ void decode_rows(image_view<const typename Codec::texel> texels, image_view<floa
     if (depth.size != texels.size) fail("umbrage::decode: sizes differ");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
+        on_isa_of(codec, [&](auto) UMBRAGE_INLINE {
             const Codec own = codec;  // as far as a compiler knows, depths may overwrite the other
             for (int y = first; y < last; ++y)
                 convert_row(texels.row(y), depth.row(y), depth.size.x,
@@ -14497,6 +14721,21 @@ struct frustum {
     T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
 };
 
+namespace detail {
+
+/// Where a set-up has to be given a box: one that is none, its low above its high.
+template <real T>
+inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
+
+/// Refuses a box that nobody gave.
+template <real T>
+void require_given(const bounding_box<T>& box, const char* function, const char* argument) {
+    require(!glm::all(glm::greaterThan(box.low, box.high)), function, argument,
+            "must be given, with low not above high; got no box");
+}
+
+}  // namespace detail
+
 using eight_corners = std::array<glm::dvec3, 8>;
 
 /// Corners in the order of their numbers' bits: x, y, z high.
@@ -14553,7 +14792,7 @@ template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f);
     const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
-    const double centre = glm::min(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
+    const double centre = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
     return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
 }
 
@@ -14608,7 +14847,8 @@ public:
                    plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
     }
 
-    [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
+    [[nodiscard]] const std::vector<face>& faces() const& { return faces_; }
+    void faces() const&& = delete;  ///< of a temporary: they would dangle
     [[nodiscard]] bool empty() const { return faces_.empty(); }
 
     [[nodiscard]] static convex_body common(const convex_body& a, const convex_body& b) {
@@ -14700,10 +14940,9 @@ namespace umbrage {
 /// @return       low above high where there is none: nothing is then drawn, and corners() refuses it
 template <class = detail::on_use>
 [[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
-    bounding_box<float> box{glm::vec3(std::numeric_limits<float>::max()),
-                            glm::vec3(std::numeric_limits<float>::lowest())};
+    bounding_box<float> box{glm::vec3(detail::highest<float>), glm::vec3(-detail::highest<float>)};
     for (const glm::vec3& p : mesh.positions)
-        if (detail::all_finite(p)) box.low = glm::min(box.low, p), box.high = glm::max(box.high, p);
+        if (detail::all_finite(p)) box.low = detail::lesser(box.low, p), box.high = detail::greater(box.high, p);
     return box;
 }
 
@@ -14714,6 +14953,7 @@ namespace detail {
 template <class Reach>
 [[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,
                             const glm::mat4& to_clip, clip_space clip, near_plane at_near) {
+    require_given(clip, "may_mark");
     if (!all_finite(to_clip)) return false;
     if (!all_finite(middle) || !all_finite(half)) return true;
     const glm::dmat4 rows = glm::transpose(glm::dmat4(to_clip));
@@ -14804,7 +15044,8 @@ template <real T>
                                                  glm::vec<3, T> normal) {
     const auto along = detail::across(detail::unit(normal));
     const auto steps = [&](const glm::mat<4, 4, T>& m) {
-        return glm::mat<2, 2, T>(detail::step(m, world, along[0]), detail::step(m, world, along[1]));
+        return glm::mat<2, 2, T>(glm::vec<2, T>(detail::step(m, world, along[0])),
+                                 glm::vec<2, T>(detail::step(m, world, along[1])));
     };
     const glm::mat<2, 2, T> texels = steps(texture_matrix);
     const T det = glm::determinant(texels);
@@ -14876,7 +15117,7 @@ template <class At>
             if (draws) extents[{x, y}] = static_cast<float>(extent);
             all.push_back(extent);
             sum += extent;
-            longest = glm::max(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
+            longest = detail::greater(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
         }
     report.measured = all.size();
     if (all.empty()) return report;
@@ -14917,7 +15158,7 @@ struct choice_terms {
 struct light_choice {
     std::size_t kept = 0;     ///< which of the lights to take
     std::vector<double> p95;  ///< of each: pixels that a texel's longer axis covers, at most, for 95 of 100 points;
-                              ///< infinite where a map does not hold as many, 0 without points
+                              ///< the highest number where a map does not hold as many, 0 without points
 };
 
 /// Measures each light over the points, and keeps the one that it had unless another is better by a margin.
@@ -14946,7 +15187,7 @@ template <real T>
             const glm::dvec2 at = glm::dvec2(h) / h.w;
             const bool held = h.w > 0 && at.x >= 0 && at.y >= 0 && at.x <= terms.map_size.x && at.y <= terms.map_size.y;
             const double extent = longest_extent(pixels_per_texel(to_texels, terms.to_pixels, p.position, p.normal));
-            if (!held) extents.push_back(std::numeric_limits<double>::infinity());
+            if (!held) extents.push_back(detail::highest<double>);
             else if (is_finite(extent)) extents.push_back(extent);
         }
         choice.p95.push_back(0);
@@ -15397,11 +15638,11 @@ template <class ParallelFor = serial>
     if (n > 65537) detail::fail("umbrage::make_moment_table: sums in a box of that radius may reach 2^32");
 
     image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
-    const float far = cleared_depth(of.direction);
+    const float cleared = cleared_depth(of.direction);
     parallel(map.size.y, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < map.size.x; ++x)
-                codes[{x, y}] = glm::u16vec4(turn_moments(encode_msm(map.row(y)[x], far)) * 65535.0f + 0.5f);
+                codes[{x, y}] = glm::u16vec4(turn_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
     });
     image<std::uint32_t> channel(map.size), sums(map.size);
     for (glm::length_t c = 0; c < 4; ++c) {
@@ -15433,12 +15674,12 @@ void summed_visibility(image_view<const glm::u16vec4> table, const moment_table&
         detail::fail("umbrage::summed_visibility: the table is not one of make_moment_table");
     if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
     const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
-    const auto reach = static_cast<float>(radius), far = cleared_depth(of.direction);
+    const auto reach = static_cast<float>(radius), cleared = cleared_depth(of.direction);
     parallel(out.size.y, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < out.size.x; ++x) {
                 const glm::vec3 r = receivers.row(y)[x];
-                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, far);
+                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, cleared);
             }
     });
 }
@@ -15550,7 +15791,7 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
         constexpr bool in_tiles = requires { typename Blocks::tile; };
         typename Blocks::placed placed[ring];
         typename tile_of<Blocks>::type tile;
-        alignas(64) float visibility[tile.rows][block];
+        alignas(64) float visibility[std::size_t(tile.rows)][block];
         block_walk ahead{0, first, out.size.x, tile.rows, last}, at = ahead;
         for (unsigned n = 0; at.y < last; ++n) {
             if (ahead.y < last) {
@@ -15638,6 +15879,18 @@ template <class Fetch>
     return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
 }
 
+/// Refuses a filter and an encoding that take a map's depth to run opposite ways: one of them would see all in shadow.
+template <class Encoding, class Filter>
+void require_one_direction(const Encoding& encoding, const Filter& filter) {
+    if constexpr (requires { filter.is_lit.direction == encoding.direction; }) {
+        if (filter.is_lit.direction == encoding.direction) return;
+        const bool reversed = encoding.direction == depth_direction::reversed;
+        fail(std::string("umbrage::visibility: filter must compare ") + (reversed ? "reversed" : "forward") +
+             " depth, as encoding holds it; got " + (reversed ? "forward" : "reversed") +
+             ". Give both the map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}");
+    }
+}
+
 /// The far plane's depth, as the filter or else the encoding knows it.
 template <class Encoding, class Filter>
 [[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
@@ -15683,6 +15936,7 @@ template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
+    require_one_direction(encoding, filter);
     if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
     if (map.empty()) fail("umbrage::visibility: empty map");
     if (out.empty()) return;
@@ -15690,9 +15944,9 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
         parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, out, first, last); });
     };
     const auto clamped_map = decoded(map, encoding);
-    const auto bordered_map = [&, far = far_depth(encoding, filter)](glm::ivec2 texel) {
+    const auto bordered_map = [&, cleared = far_depth(encoding, filter)](glm::ivec2 texel) {
         const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
-        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : far;
+        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : cleared;
     };
     if constexpr (has_block_form<Filter>) {
         using form = block_form<Filter>;
@@ -15702,7 +15956,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
             else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
         });
         if (!done) filter_each(receivers, filter, erase(clamped_map), out, parallel);
-        if (outside == outside_map::lit) light_outside(receivers, map.size, filter, erase(bordered_map), out, parallel);
+        if (outside == outside_map::lit)
+            light_outside(receivers, glm::vec2(map.size), filter, erase(bordered_map), out, parallel);
     } else if (outside == outside_map::lit) {
         filter_each(receivers, filter, bordered_map, out, parallel);
     } else {
@@ -15713,14 +15968,14 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 }  // namespace detail
 
 /// @param map         shadow map, texels of the encoding
-/// @param encoding    how the map's texels hold depth; its edge decides ties
+/// @param encoding    how the map's texels hold depth, and which way it runs; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
 ///                    (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides, an ivec2
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
 /// @param outside     what counts outside the map
-/// @throws std::invalid_argument  sizes differ, or the map is empty
+/// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
@@ -15825,7 +16080,7 @@ template <class = detail::on_use>
     for (const page_receiver& r : receivers) {
         const int level = detail::wanted_level(r, target, deepest_level);
         if (level < 0) continue;
-        detail::add(page_at(r.coord, level), pages);
+        detail::add(page_at(glm::dvec2(r.coord), level), pages);
     }
     detail::tidy(pages);
     return pages;
@@ -15992,10 +16247,10 @@ private:
         std::vector<page> pops;
         for (const page_receiver& r : receivers) {
             const int asked = detail::wanted_level(r, budget_.target, budget_.deepest_level);
-            const int found = asked < 0 ? asked : level_at(r.coord);
+            const int found = asked < 0 ? asked : level_at(glm::dvec2(r.coord));
             if (found >= asked) continue;
             for (int level = budget_.deepest_level; level > found; --level) {
-                const page p = page_at(r.coord, level);
+                const page p = page_at(glm::dvec2(r.coord), level);
                 const std::size_t at = detail::count_in_front(given_up, [&](const page& other) { return other < p; });
                 if (at == given_up.size() || given_up[at] != p) continue;
                 detail::add(p, pops);
@@ -16023,13 +16278,14 @@ private:
 namespace umbrage {
 namespace detail {
 
-/// In the name of a function whose argument they are.
+/// Receivers, or a complaint in the name of a function whose argument they are.
 template <class Use = on_use>
-void require_receivers(const rounded_hull<Use>& receivers, const char* function) {
-    require(!receivers.points.empty(), function, "receivers", "must not be empty");
-    bool finite = is_finite(receivers.radius) && receivers.radius >= 0.0;
-    for (const glm::dvec3& p : receivers.points) finite = finite && all_finite(p);
+[[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
+    require(receivers.has_value(), function, "receivers", "must be given; got none");
+    bool finite = is_finite(receivers->radius) && receivers->radius >= 0.0;
+    for (const glm::dvec3& p : receivers->points) finite = finite && all_finite(p);
     require(finite, function, "receivers", "must be finite");
+    return *receivers;
 }
 
 /// Points whose hull holds all receivers: in place of a ball the corners of its box.
@@ -16061,12 +16317,12 @@ template <class = on_use>
 }
 
 struct extent {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    glm::dvec3 low{highest<double>}, high{-highest<double>};
 };
 template <class = on_use>
 [[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
     extent e;
-    for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
+    for (const glm::dvec3& p : points) e.low = lesser(e.low, p), e.high = greater(e.high, p);
     return e;
 }
 
@@ -16076,8 +16332,9 @@ template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
     std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
     sort(points, [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    // from b on: a and b may be one corner but for rounding, and (c - a) would then have lost their turn
     const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-        return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
+        return (b.x - a.x) * (c.y - b.y) <= (b.y - a.y) * (c.x - b.x);
     };
     for (const bool back : {false, true}) {
         const std::size_t first = hull.size();
@@ -16126,40 +16383,45 @@ template <class = on_use>
     return kept;
 }
 
-/// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only
-/// rounding tells apart: their direction says nothing.
+/// A plane (a, b, 0, c) through each edge of a hull; none through edges between points that differ by rounding only, as
+/// their direction is arbitrary.
 template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
+[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull) {
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
     double longest = 0.0;
-    for (std::size_t i = 0; i < hull.size(); ++i) longest = glm::max(longest, glm::distance(hull[i], end_of(i)));
+    for (std::size_t i = 0; i < hull.size(); ++i) longest = greater(longest, glm::distance(hull[i], end_of(i)));
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
         if (glm::length(inwards) <= longest * 0x1p-32) continue;
-        planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
+        planes.emplace_back(inwards, 0.0, -glm::dot(inwards, a));
     }
     return planes;
 }
 
-/// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
+/// Planes around what points sweep, each point with the square of `outwards` around it. Squares keep the planes
+/// continuous while points move: sides moved outwards would jump where a corner of the hull splits in two.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
-    std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
-    const auto [least, greatest] = extent_of(seen);
-    const glm::dvec3 low = least - outwards, high = greatest + outwards;
-    planes.insert(planes.end(), {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}});
-    return planes;
+    const auto [low, high] = extent_of(seen);
+    // casters that touch a side are within it, whichever way it was rounded
+    const double around = detail::greater(outwards, 0x1p-32 * detail::greater(high.x - low.x, high.y - low.y));
+    std::vector<glm::dvec3> corners;
+    corners.reserve(4 * seen.size());
+    for (const glm::dvec3& p : seen)
+        for (const double x : {p.x - around, p.x + around})
+            for (const double y : {p.y - around, p.y + around}) corners.emplace_back(x, y, p.z);
+    return sides(convex_hull(corners));
 }
 
-/// The least distance along the light of a box's faces within planes; infinite where none is.
+/// The least distance along the light of a box's faces within planes; highest<double> where none is.
 template <class = on_use>
 [[nodiscard]] double nearest(const glm::dmat4& frame, const polyhedron& box, const std::vector<glm::dvec4>& planes) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = highest<double>;
     for (const polyhedron::face& face : box.faces()) {
         std::vector<glm::dvec3> polygon = seen(frame, face.corners);
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = detail::lesser(least, p.z);
+        for (const glm::dvec3& p : polygon) least = lesser(least, p.z);
     }
     return least;
 }
@@ -16171,7 +16433,8 @@ template <class = on_use>
 // The square of the world that the pages of an adaptive map lie in, as a directional light sees it: it stays where it
 // is while the camera moves, and so does every page in it.
 //
-//     auto root = umbrage::make_page_root<double>({.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box});
+//     auto root = umbrage::make_page_root<double>(
+//         {.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box, .clip = clip});
 //     auto light = umbrage::page_light(root, {.level = 5, .x = 12, .y = 9}, {});  // for the depth pass of that page
 //     glm::mat4 to_root(umbrage::page_matrix(root));                              // for page_coordinate
 //
@@ -16180,12 +16443,12 @@ namespace umbrage {
 
 template <real T = float>
 struct page_root {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as pages turn with it
-    glm::vec<3, T> centre{T(0)};                  ///< of the square, world
-    T side = T(1000);                             ///< world units, > 0
-    bounding_box<T> scene{};                      ///< all casters and receivers: what depth spans
-    clip_space clip{};
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as pages turn with it
+    glm::vec<3, T> centre{T(0)};                   ///< of the square, world
+    T side = T(1000);                              ///< world units, > 0
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers, what depth spans
+    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
 };
 
 /// Side of pages in an atlas.
@@ -16201,6 +16464,8 @@ struct page_size {
 template <real T = float>
 [[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
     constexpr auto function = "make_page_root";
+    detail::require_given(root.clip, function);
+    detail::require_given(root.scene, function, "scene");
     detail::require(detail::all_finite(root.centre), function, "centre", "must be finite");
     detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
     light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),
@@ -16532,7 +16797,7 @@ template <class Texel>
 struct texel_planes {
     static constexpr int channels = static_cast<int>(sizeof(Texel) / sizeof(float));
 
-    alignas(64) float values[channels * block];
+    alignas(64) float values[std::size_t(channels) * block];
 
     UMBRAGE_INLINE void set(int i, const Texel& t) {
         if constexpr (channels == 1) values[i] = t;
@@ -16589,7 +16854,7 @@ struct bilinear_block {
             const float *const below = row(low[i]), *const above = row(high[i]);
             const int l = left[i] * channels, h = right[i] * channels;
             const float hx = hi_x[i], hy = hi_y[i], lx = 256.0f - hx, ly = 256.0f - hy;
-            float mean[channels];
+            float mean[std::size_t(channels)];
             for (int c = 0; c < channels; ++c) {
                 const float first = below[l + c] * lx + below[h + c] * hx;
                 const float second = above[l + c] * lx + above[h + c] * hx;
@@ -16614,10 +16879,10 @@ requires requires(const Prefilter& f, typename Prefilter::texel t) { f.moments(t
 UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
                                         const float* depths, float* visibility) {
     alignas(64) float x[block], d[block], D[block], E[block], h[block], a[block], B[block], c[block], roots[block];
-    const float far = cleared_depth(filter.direction);
+    const float cleared = cleared_depth(filter.direction);
     for (int i = 0; i < block; ++i) {
         const glm::vec4 m = filter.moments(means[i]);
-        d[i] = forward_depth(depths[i], far);
+        d[i] = forward_depth(depths[i], cleared);
         x[i] = moment_depth(d[i]) - m.x;
         const atom_equation<float> e(m, x[i]);
         D[i] = e.D, E[i] = e.E, h[i] = e.h, a[i] = e.a, B[i] = e.B, c[i] = e.c, roots[i] = e.square;
@@ -16788,10 +17053,10 @@ template <class Frame>
                 continue;
             }
             const glm::dvec2 moved = now.texel - then.texel, off = glm::abs(moved - glm::round(moved));
-            report.drift = glm::max(report.drift, glm::max(off.x, off.y));
+            report.drift = detail::greater(report.drift, detail::greater(off.x, off.y));
             compared[k] = 1;
             const double change = glm::abs(now.visibility - then.visibility);
-            report.change = glm::max(report.change, change);
+            report.change = detail::greater(report.change, change);
             if (change != 0.0) changed[k] = 1;
         }
     }
@@ -17084,11 +17349,12 @@ void summed_visibility(image_view<const glm::u16vec4> table, const variance_tabl
 // ---- umbrage/light/directional_fit.hpp
 // A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
 //
-//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene});
+//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene, .clip = clip});
 //     auto tight = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene, .clip = clip});
 //     auto still = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024});
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024,
+//          .clip = clip});
 //
 
 namespace umbrage {
@@ -17097,11 +17363,11 @@ template <real T = float>
 struct directional_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    hull receivers = bounding_box<T>{};           ///< box, sphere, frustum, polyhedron or points
+    std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
     int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
-    clip_space clip{};
+    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
 };
 
 namespace detail {
@@ -17114,11 +17380,51 @@ struct light_box {
 
 /// The square of whole texels around a box, a texel wider, and depths in steps of its side.
 [[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
-    const double n(texels), half_texel = glm::max(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
+    const double n(texels), half_texel = greater(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
     const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
     const double z_near = std::floor(box.z_near / side) * side;
     return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
             z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
+}
+
+/// fit_directional_light in the name of another function, whose arguments give the box's sides and depths.
+template <real T>
+[[nodiscard]] light_space<T> fit_directional(const directional_fit<T>& fit, const char* function, const char* sides,
+                                             const char* depths) {
+    require_given(fit.clip, function);
+    const hull& lit = given(fit.receivers, function);
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
+    const bool snaps = fit.snap_texels > 0;
+
+    light_space<T> space{
+        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
+    const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
+    const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
+    const hull& receivers = lit.points.empty() ? box_of_casters : lit;
+    const auto points = seen(frame, receivers.points);
+    const auto [low, high] = extent_of(points);
+    const auto [first, last] = extent_of(receivers.points);
+    const double radius = receivers.radius;
+    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
+    light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
+    if (fit.casters && snaps) {
+        const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
+        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
+    } else if (fit.casters) {
+        const auto swept = sweep(points, around);
+        box.z_near = detail::lesser(box.z_near, nearest(frame, *fit.casters, swept) - margin);
+    }
+    if (snaps) box = snapped(box, fit.snap_texels);
+
+    glm::dmat4 projection = orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
+    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        require(is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
+                "must not give too large or too small a box");
+    return checked(space, function, depths);
 }
 
 }  // namespace detail
@@ -17132,45 +17438,16 @@ struct light_box {
 /// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
 /// origin, compute the texture matrix in double and round that.
 ///
-/// @throws std::invalid_argument  zero or non-finite direction, receivers empty or of no extent, casters that are no
+/// Where there are no receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
+/// or of one around the origin.
+///
+/// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
 ///                                box, a negative margin, and what gives matrices that are not finite
 /// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
 template <real T = float>
 [[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    constexpr auto function = "fit_directional_light", sides = "receivers and margin";
-    constexpr auto depths = "receivers, casters and margin";
-    detail::require_receivers(fit.receivers, function);
-    detail::require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    detail::require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
-    const bool snaps = fit.snap_texels > 0;
-
-    light_space<T> space{
-        detail::look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
-    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
-    const auto points = detail::seen(frame, fit.receivers.points);
-    const auto [low, high] = detail::extent_of(points);
-    const auto [first, last] = detail::extent_of(fit.receivers.points);
-    const double radius = fit.receivers.radius;
-    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
-    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
-    detail::light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
-    if (fit.casters && snaps) {
-        const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
-        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
-    } else if (fit.casters) {
-        const auto swept = detail::sweep(points, around);
-        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, swept) - margin);
-    }
-    if (snaps) box = detail::snapped(box, fit.snap_texels);
-
-    glm::dmat4 projection =
-        detail::orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
-    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
-    space.projection = glm::mat<4, 4, T>(projection);
-    for (glm::length_t i = 0; i < 3; ++i)
-        detail::require(detail::is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
-                        "give too large or too small a box");
-    return detail::checked(space, function, depths);
+    return detail::fit_directional(fit, "fit_directional_light", "receivers and margin",
+                                   "receivers, casters and margin");
 }
 
 }  // namespace umbrage
@@ -17179,7 +17456,7 @@ template <real T = float>
 // Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
 //
 //     const umbrage::cascade_fit<float> fit{
-//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f};
+//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f, .clip = clip};
 //     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
 //     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
@@ -17199,14 +17476,14 @@ struct cascade {
 
 template <real T = float>
 struct cascade_fit {
-    frustum<T> camera{};                          ///< but for its planes, in place of which there are splits
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as maps turn with it
-    bounding_box<T> scene{};                      ///< all casters and receivers
-    int map_size = 1024;                          ///< of each cascade, texels
-    T margin = T(2);                              ///< texels around: the filter's reach
-    T overlap = T(0);                             ///< share of a cascade that the next one holds too, 0 .. 1
-    clip_space clip{};
+    frustum<T> camera{};                           ///< but for its planes, in place of which there are splits
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
+    int map_size = 1024;                           ///< of each cascade, texels
+    T margin = T(2);                               ///< texels around: the filter's reach
+    T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
+    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
 };
 
 namespace detail {
@@ -17221,7 +17498,7 @@ template <real T>
                        glm::vec<4, T>(offset)};
     const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
     require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
-            "give too large or too small a cascade");
+            "must not give too large or too small a cascade");
     return c;
 }
 
@@ -17230,6 +17507,8 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
                                                               const std::array<T, Count + 1>& splits,
                                                               const char* function) {
+    require_given(fit.clip, function);
+    require_given(fit.scene, function, "scene");
     require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
     for (std::size_t i = 0; i < Count; ++i)
         require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
@@ -17257,6 +17536,18 @@ template <class = on_use>
     return seen.empty() ? hull(part) : hull(seen);
 }
 
+/// A directional light with depths of a whole scene, and a little beyond it.
+template <real T>
+[[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
+                                                 const char* function) {
+    const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
+    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes have some depth too
+    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
+                                           function, "", "low and high of scene");
+    light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
+    return light;
+}
+
 /// A margin in texels as a share of what a map holds within it.
 template <real T>
 [[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
@@ -17281,7 +17572,8 @@ template <std::size_t Count, real T, class Light>
 }  // namespace detail
 
 /// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
-/// camera's frustum, which does not change as the camera turns, and moves by whole texels.
+/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
+/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each.
 ///
 /// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
 /// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
@@ -17296,15 +17588,17 @@ template <std::size_t Count, real T, class Light>
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
                                                                  const std::array<T, Count + 1>& splits) {
-    auto all = detail::make_cascades<Count>(fit, splits, "make_stable_cascades", [&](const frustum<double>& part) {
+    constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
+    auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
         const double around = double(fit.margin);
-        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
-                                              .up = glm::dvec3(fit.up),
-                                              .receivers = sphere_around(part),
-                                              .casters = bounding_box<double>{fit.scene.low, fit.scene.high},
-                                              .margin = around / (fit.map_size - 1 - 2 * around),
-                                              .snap_texels = fit.map_size,
-                                              .clip = fit.clip});
+        const auto light = detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                            .up = glm::dvec3(fit.up),
+                                                            .receivers = sphere_around(part),
+                                                            .margin = around / (fit.map_size - 1 - 2 * around),
+                                                            .snap_texels = fit.map_size,
+                                                            .clip = fit.clip},
+                                                           function, sides, depths);
+        return detail::with_depths_of(light, fit.scene, function);
     });
     for (cascade<T>& c : all)
         for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
@@ -17317,14 +17611,16 @@ template <std::size_t Count, real T>
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
                                                                 const std::array<T, Count + 1>& splits) {
-    return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
-        const bounding_box<double> scene{fit.scene.low, fit.scene.high};
-        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
-                                              .up = glm::dvec3(fit.up),
-                                              .receivers = detail::receivers_of(part, scene),
-                                              .casters = scene,
-                                              .margin = detail::margin_share(fit),
-                                              .clip = fit.clip});
+    constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
+    return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
+        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
+        return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                .up = glm::dvec3(fit.up),
+                                                .receivers = detail::receivers_of(part, scene),
+                                                .casters = scene,
+                                                .margin = detail::margin_share(fit),
+                                                .clip = fit.clip},
+                                               function, sides, depths);
     });
 }
 
@@ -17346,7 +17642,7 @@ template <real T, std::size_t Count>
     detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
     cascade_uniforms<T> u;
     u.rotation = cascades[0].light.view;
-    u.ends = glm::vec<3, T>(std::numeric_limits<T>::max());
+    u.ends = glm::vec<3, T>(detail::highest<T>);
     for (glm::length_t i = 0; i < 4; ++i) {
         if (i >= static_cast<glm::length_t>(Count)) {
             u.offsets[i] = {T(65536), T(65536), T(0), T(0)};
@@ -17371,12 +17667,16 @@ template <real T, std::size_t Count>
 // lays any projective map of the world around the receivers.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     umbrage::warped_light<float> warped = umbrage::fit_light_space_perspective(fit);
 //     draw_depths(warped.light);
 //
 // A warp gives what the camera sees close by more texels, and what it sees from afar fewer. Look-ups are those of a
 // spot light, by shadow_coordinate and project_coordinate; w is above 0 and depth grows along the light.
+//
+// Under low lights, 6 to 14 degrees above a ground, a warp can resolve far less than a map without one: take the better
+// of both by choose_light.
 //
 // What is strongly warped wants digits: a matrix of doubles, rounded once, places points to 1/1000 of a texel of maps
 // of 2048 under a view of a kilometre. Its product with points in float loses more far from the origin, up to 1/28 of a
@@ -17388,30 +17688,43 @@ template <real T = float>
 struct warp_fit {
     frustum<T> camera{};                          ///< that the map is for
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene
+    std::optional<hull> receivers{};              ///< required: what the camera sees of the scene; where that is
+                                                  ///< nothing, the camera's frustum stands for it
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
-                                                  ///< map, >= 0
-    clip_space clip{};
+                                                  ///< map, 0 to 1000
+    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
 };
 
 template <real T>
 struct warped_light {
     light_space<T> light;  ///< for depth pass and texture_matrix; w is 1 at the least receiver
-    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped
+    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped. Says
+                           ///< nothing of quality: see choose_light
 };
 
 namespace detail {
 
-/// Complains of what fits of all warps need.
+/// A fit that has what all warps need, or a complaint; `instead` stands for receivers that are none.
 template <real T>
-void require_warp_fit(const warp_fit<T>& fit, const char* function) {
-    require_receivers(fit.receivers, function);
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+[[nodiscard]] warp_fit<T> completed(warp_fit<T> fit, const hull& instead, const char* function) {
+    require_given(fit.clip, function);
+    if (given(fit.receivers, function).points.empty()) fit.receivers = instead;
+    // beyond that float has no digits left for the receivers, and rows of the matrix become multiples of w's
+    require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin",
+            "must be from 0 to 1000", double(fit.margin));
     if (fit.casters) (void)corners(*fit.casters);
+    return fit;
 }
 
-/// The way y goes in a map: the way the camera looks, or up as it has it where it looks along the light.
+/// Where the camera sees nothing of the scene, all that it could see is as good.
+template <real T>
+[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const char* function) {
+    return completed(fit, fit.camera, function);
+}
+
+/// The way y goes in a map: the way the camera looks, or the camera's up where the sine between its view and the light
+/// is below 1e-3. Maps are not warped there, but turn at once as the sine passes 1e-3: their texels then shimmer.
 template <real T>
 [[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit) {
     const glm::dmat3 camera = axes(fit.camera);
@@ -17425,22 +17738,21 @@ template <real T>
     return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
 }
 
-/// Least and greatest depth in a map of a body within planes of the map's space; infinity and -infinity where there is
-/// none of it.
-/// @return   -infinity and infinity, around which no map can be laid, where some of it does not lie before w = 0
+/// Least and greatest depth in a map of a body within planes of the map's space.
+/// @return   highest and -highest where there is none of it; -highest and highest, around which no map can be laid,
+///           where some of it does not lie in front of w = 0
 template <class = on_use>
 [[nodiscard]] glm::dvec2 depths_within(const glm::dmat4& to_map, const polyhedron& body,
                                        std::vector<glm::dvec4> planes) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
-    double least = infinity, greatest = -infinity;
+    double least = highest<double>, greatest = -least;
     for (const polyhedron::face& face : body.faces()) {
         std::vector<glm::dvec3> polygon = face.corners;
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
         for (const glm::dvec3& p : polygon) {
             const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-            if (!(h.w > 0.0)) return {-infinity, infinity};
-            least = glm::min(least, h.z / h.w), greatest = glm::max(greatest, h.z / h.w);
+            if (!(h.w > 0.0)) return {-highest<double>, highest<double>};
+            least = lesser(least, h.z / h.w), greatest = greater(greatest, h.z / h.w);
         }
     }
     return {least, greatest};
@@ -17480,20 +17792,20 @@ template <real T>
 [[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
                                                    const polyhedron& casters, const char* function) {
     std::vector<glm::dvec3> receivers;
-    double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
-    for (const glm::dvec3& p : corners_of(fit.receivers)) {
+    double least_w = detail::highest<double>, greatest_w = 0.0;
+    for (const glm::dvec3& p : corners_of(*fit.receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
         receivers.push_back(glm::dvec3(h) / h.w);
-        least_w = glm::min(least_w, h.w), greatest_w = glm::max(greatest_w, h.w);
+        least_w = lesser(least_w, h.w), greatest_w = greater(greatest_w, h.w);
     }
     extent box = extent_of(receivers);
     const glm::dvec3 size = box.high - box.low;
     constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
-    const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
+    const glm::dvec2 around = double(fit.margin) * greater(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
     // the hull's cone over the map, of which the other half, behind w = 0, is no part
-    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
-    box.low.z = glm::min(box.low.z, swept.x);
+    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, greater(around.x, around.y)));
+    box.low.z = lesser(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
     return laid(to_map, box, least_w, greatest_w, fit, function);
@@ -17509,7 +17821,7 @@ template <real T>
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
     const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
-    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a box");
+    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a box");
     return *light;
 }
 
@@ -17543,7 +17855,7 @@ template <std::size_t Count, real T, class Warp>
                                                                       const std::array<T, Count + 1>& splits,
                                                                       Warp&& warp) {
     constexpr auto function = "make_warped_cascades";
-    const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+    const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
     const auto parts = detail::camera_parts<Count>(fit, splits, function);
     std::array<warped_light<T>, Count> all;
     for (std::size_t i = 0; i < Count; ++i) {
@@ -17565,8 +17877,10 @@ template <std::size_t Count, real T, class Warp>
 // ---- umbrage/light/spot_fit.hpp
 // A spot light fitted to what of its cone receives shadows, with the near plane pulled towards what casts them.
 //
-//     auto light = umbrage::fit_spot_light<float>(
-//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//     const std::optional<umbrage::light_space<float>> light = umbrage::fit_spot_light<float>(
+//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//          .clip = clip});
+//     if (light) draw_depths(*light);  // else nothing that the camera sees is in the cone
 //
 
 namespace umbrage {
@@ -17578,11 +17892,11 @@ struct spot_fit {
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
     T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
-    hull receivers = bounding_box<T>{};        ///< box, sphere, frustum, polyhedron or points
+    std::optional<hull> receivers{};           ///< required: box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
     bool has_far_plane = true;  ///< false: depth nears the far depth with distance
-    clip_space clip{};
+    clip_space clip{};          ///< required: your API's or engine's, see clip_space.hpp
 };
 
 namespace detail {
@@ -17591,8 +17905,8 @@ namespace detail {
 /// y / distance, and the distance.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
-    for (const glm::dvec4 plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0), glm::dvec4(-1, 0, edge, 0),
-                                   glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
+    for (const glm::dvec4& plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0),
+                                    glm::dvec4(-1, 0, edge, 0), glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
         seen = clipped_hull(seen, plane);
     for (glm::dvec3& p : seen) p = {p.x / p.z, p.y / p.z, p.z};
     return seen;
@@ -17620,13 +17934,14 @@ template <class = on_use>
 /// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
 /// may stand within receivers and casters. For a sphere stands its box; of points counts all that lies between them, at
 /// a cost that grows with the square of their number where some lie outside: for a mesh give its box.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers empty, none in the
-///                                pyramid beyond z_near, or none of some extent there, casters that are no box, and
-///                                what gives matrices that are not finite
+/// @return      nothing where no receivers of some extent lie in the pyramid beyond z_near: the light needs no map
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers that are not
+///                                finite, casters that are no box, and what gives matrices that are not finite
 template <real T = float>
-[[nodiscard]] light_space<T> fit_spot_light(const spot_fit<T>& fit) {
+[[nodiscard]] std::optional<light_space<T>> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
-    detail::require_receivers(fit.receivers, function);
+    detail::require_given(fit.clip, function);
+    const hull& lit = detail::given(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
                     "outer_angle_radians", "must lie between 0 and pi / 2");
@@ -17638,34 +17953,35 @@ template <real T = float>
     const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
     const double edge = std::tan(double(angle)), closest(fit.z_near);
 
-    const auto before = detail::seen(frame, detail::corners_of(fit.receivers));
+    const auto before = detail::seen(frame, detail::corners_of(lit));
     const detail::extent around = detail::extent_of(before);
-    const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
-    detail::require(around.high.z > closest && is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function,
-                    "receivers", "must lie before the light, beyond z_near");
+    const glm::dvec3 size = detail::greater(glm::abs(around.low), glm::abs(around.high));
+    if (!(around.high.z > closest)) return {};
+    detail::require(is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function, "receivers",
+                    "must lie nearer to the light");
     const auto receivers = detail::tangents(before, edge, closest);
-    detail::require(!receivers.empty(), function, "receivers", "must lie in the cone");
+    if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
-    const double share(fit.margin), margin = share * glm::max(high.x - low.x, high.y - low.y);
+    const double share(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
     double z_near = low.z;
     if (fit.casters)
-        z_near = glm::min(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
-    z_near = glm::max(z_near * (1.0 - share), closest);
-    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : std::numeric_limits<double>::infinity();
-    const glm::dvec2 first = glm::max(glm::dvec2(low) - margin, -edge),
-                     last = glm::min(glm::dvec2(high) + margin, edge);
+        z_near = detail::lesser(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
+    z_near = detail::greater(z_near * (1.0 - share), closest);
+    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : detail::highest<double>;
+    const glm::dvec2 first = detail::greater(glm::dvec2(low) - margin, glm::dvec2(-edge)),
+                     last = detail::lesser(glm::dvec2(high) + margin, glm::dvec2(edge));
     const glm::dvec2 half = (last - first) * 0.5;
-    detail::require(half.x > 0.0 && half.y > 0.0 && z_near < z_far, function, "receivers and margin",
-                    "must have some extent in the cone");
+    if (!(half.x > 0.0 && half.y > 0.0 && z_near < z_far)) return {};
 
-    glm::dmat4 projection = detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function);
+    glm::dmat4 projection =
+        detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");
     for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
     space.projection = glm::mat<4, 4, T>(projection);
     for (glm::length_t i = 0; i < 2; ++i)
         detail::require(detail::is_normal(space.projection[i][i]), function, "receivers and margin",
-                        "give too large or too small a map");
+                        "must not give too large or too small a map");
     detail::require(detail::is_normal(space.projection[3][2]), function, "z_near and receivers",
-                    "give planes too far apart or too close together");
+                    "must give planes neither too far apart nor too close together");
     return detail::checked(space, function, "position, z_near and receivers");
 }
 
@@ -17696,22 +18012,35 @@ struct lamp_view {
 
 template <real T>
 [[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
-    require(is_normal(from.z_near) && from.z_near > T(0), function, "z_near",
+    require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near",
             "must be above 0, finite and no denormal");
     const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
     lamp_view v;
-    v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "position"), fit.clip.hand);
-    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(fit.receivers));
+    v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "from.position"), fit.clip.hand);
+    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(*fit.receivers));
     const auto [low, high] = extent_of(receivers);
     v.least = low.z, v.farthest = high.z;
     require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
-            "must lie before the light, beyond z_near");
+            "must lie before the light, beyond from.z_near");
     if (!fit.casters) return v;
     double edge = 1.0;
-    for (const glm::dvec3& p : receivers) edge = glm::max(edge, glm::max(glm::abs(p.x), glm::abs(p.y)) / p.z);
+    for (const glm::dvec3& p : receivers) edge = greater(edge, greater(glm::abs(p.x), glm::abs(p.y)) / p.z);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
     v.casters = intersection(all, *fit.casters);
     return v;
+}
+
+/// Where there are no receivers, what is right before the light is as good.
+template <real T>
+[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const lamp<T>& from, const char* function) {
+    if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
+    const double closest(from.z_near);
+    return completed(fit,
+                     frustum<double>{.position = glm::dvec3(from.position),
+                                     .direction = glm::dvec3(fit.direction),
+                                     .z_near = 2.0 * closest,
+                                     .z_far = 4.0 * closest},
+                     function);
 }
 
 /// What the lamp sees along its axis: x, y, depth and w, of no warp.
@@ -17726,7 +18055,7 @@ template <class = on_use>
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
     const auto light = refit(map_along(v), fit, v.casters, function);
-    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a map");
+    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a map");
     return *light;
 }
 
@@ -17738,7 +18067,8 @@ template <real T>
 // way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     auto warped = umbrage::fit_light_space_perspective(fit);
 //     auto milder = umbrage::fit_light_space_perspective(fit, umbrage::optimal_distance(fit));
 //
@@ -17760,30 +18090,33 @@ struct along_view {
 
 template <real T>
 [[nodiscard]] along_view make_along_view(const warp_fit<T>& fit, const char* function) {
-    require_warp_fit(fit, function);
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
     const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera)[2];
     v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
-    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
+    const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
     const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
     v.first = {own.x, low.y, glm::clamp(own.z, low.z, high.z)};
     v.length = high.y - low.y;
     v.camera_y = own.y;
-    v.closest = std::numeric_limits<double>::infinity();
-    for (const glm::dvec3& p : receivers) v.closest = glm::min(v.closest, glm::dot(p - eye, view));
-    v.closest = glm::max(v.closest, double(fit.camera.z_near));
+    v.closest = highest<double>;
+    for (const glm::dvec3& p : receivers) v.closest = lesser(v.closest, glm::dot(p - eye, view));
+    v.closest = greater(v.closest, double(fit.camera.z_near));
     return v;
 }
 
 /// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
 [[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
 
-/// @return   infinite where camera and light look one way
+/// The strongest warp there is: float holds no more.
+[[nodiscard]] inline double least_distance(const along_view& v) { return v.length * 0x1p-14; }
+
+/// @return   infinite where camera and light look one way, and for receivers of no extent at the camera
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    return v.sine > 0.0 ? n : std::numeric_limits<double>::infinity();
+    const double least = detail::greater(n, least_distance(v));
+    return v.sine > 0.0 && least > 0.0 ? least : detail::highest<double>;
 }
 
 /// Near the best on a ground.
@@ -17794,8 +18127,7 @@ template <real T>
 /// @formula   (x, y, z) / (1 + y / n) about `first`
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
-    const double nearest = v.length * 0x1p-14;  // float holds no more
-    const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
+    const double bend = share_of_warp(v.sine) / detail::greater(n, least_distance(v));
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
@@ -17814,17 +18146,20 @@ template <real T>
 
 /// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
 /// camera's frustum is least: the mildest warp that is of use.
-/// @return      world units along the camera's view, across the light; infinite where camera and light look one way
+/// @return      world units along the camera's view, across the light, > 0; infinite where both look one way
 /// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
 ///              view, d their extent along it across the light, t the angle between view and light
 /// @throws std::invalid_argument  as fit_light_space_perspective does
 /// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
-    return T(detail::optimal_distance(detail::make_along_view(fit, "optimal_distance")));
+    constexpr auto function = "optimal_distance";
+    return T(detail::optimal_distance(detail::make_along_view(detail::completed(fit, function), function)));
 }
 
 /// The map of a directional light, warped along the camera's view.
+///
+/// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
 /// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
 ///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
@@ -17834,18 +18169,20 @@ template <real T = float>
 ///                   where nothing is for long: see seen_range
 /// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                   from there to 0.2 the warp grows, without a jump
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
-///                                casters that are no box, a negative margin, distance not above 0, and what gives
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
+///                                casters that are no box, a margin out of range, distance not above 0, and what gives
 ///                                matrices that are not finite
 /// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' least y, y along the
 ///                   view; then around the receivers
 /// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
-[[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit, std::optional<T> distance = {}) {
+[[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit,
+                                                          std::optional<std::type_identity_t<T>> distance = {}) {
     constexpr auto function = "fit_light_space_perspective";
-    const detail::along_view v = detail::make_along_view(fit, function);
+    const warp_fit<T> whole = detail::completed(fit, function);
+    const detail::along_view v = detail::make_along_view(whole, function);
     detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
-    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), fit, function);
+    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), whole, function);
 }
 
 }  // namespace umbrage
@@ -17856,7 +18193,8 @@ template <real T = float>
 // perspective, from which it comes out as a point that shines, as one that swallows the light, or infinitely far away.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     umbrage::perspective_light<float> warped = umbrage::fit_perspective(fit);
 //     if (warped.seen_as == umbrage::light_image::none) report("light-space perspective in its place");
 //
@@ -17883,14 +18221,14 @@ template <real T>
 [[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
                                    const char* function) {
     const glm::dvec3 eye(camera.position), ahead = axes(camera)[2];
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    double least = highest<double>, greatest = -least;
     for (const glm::dvec3& p : points) {
         const double z = glm::dot(p - eye, ahead);
-        least = glm::min(least, z), greatest = glm::max(greatest, z);
+        least = lesser(least, z), greatest = greater(greatest, z);
     }
-    const double back = slide - glm::min(least, 0.0), z_near = least + back;
-    const double z_far = glm::max(greatest + back, z_near * (1.0 + 0x1p-8));
-    require(is_finite(z_far), function, "receivers", "lie too far from the camera");
+    const double back = slide - detail::lesser(least, 0.0), z_near = least + back;
+    const double z_far = detail::greater(greatest + back, z_near * (1.0 + 0x1p-8));
+    require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers", "must lie nearer to the camera");
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
     return perspective(double(camera.tan_half_x), double(camera.tan_half_y), z_near, z_far, opengl_clip_space,
@@ -17900,7 +18238,7 @@ template <real T>
 
 /// The least and the greatest of angles under which points lie, in x and in y, z ahead.
 struct angles {
-    glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    glm::dvec2 low{highest<double>}, high{-highest<double>};
     bool all_ahead = true;  ///< false where one of them does not lie ahead, and nothing else is told
 };
 template <class = on_use>
@@ -17909,7 +18247,7 @@ template <class = on_use>
     for (const glm::dvec3& p : points) {
         if (!(p.z > 0.0)) return {.all_ahead = false};
         const glm::dvec2 angle(std::atan2(p.x, p.z), std::atan2(p.y, p.z));
-        a.low = glm::min(a.low, angle), a.high = glm::max(a.high, angle);
+        a.low = lesser(a.low, angle), a.high = greater(a.high, angle);
     }
     return a;
 }
@@ -17960,7 +18298,7 @@ template <class = on_use>
     const angles seen = angles_of(ahead);
     if (!seen.all_ahead) return {rays, std::numbers::pi};
     const glm::dvec2 opening = seen.high - seen.low;
-    return {rays, glm::max(opening.x, opening.y)};
+    return {rays, greater(opening.x, opening.y)};
 }
 
 /// How much of a map stands in for one that opens so wide: all of it from 150 degrees on, none up to 120.
@@ -17974,14 +18312,14 @@ template <class = on_use>
 template <class = on_use>
 [[nodiscard]] glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
     extent box;
-    double least = std::numeric_limits<double>::infinity();
+    double least = highest<double>;
     for (const glm::dvec3& p : corners_of(receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-        box.low = glm::min(box.low, glm::dvec3(h) / h.w), box.high = glm::max(box.high, glm::dvec3(h) / h.w);
-        least = glm::min(least, h.w);
+        box.low = lesser(box.low, glm::dvec3(h) / h.w), box.high = greater(box.high, glm::dvec3(h) / h.w);
+        least = lesser(least, h.w);
     }
     const glm::dvec3 size = box.high - box.low;
-    glm::dvec3 scale = 2.0 / glm::max(size, 0x1p-8 * glm::max(glm::max(size.x, size.y), size.z));
+    glm::dvec3 scale = 2.0 / greater(size, glm::dvec3(0x1p-8 * greater(size.x, size.y, size.z)));
     if (glm::determinant(to_map) < 0.0) scale.x = -scale.x;
     glm::dmat4 placed(1.0);
     for (glm::length_t i = 0; i < 3; ++i)
@@ -17999,7 +18337,7 @@ template <real T, class Instead>
                                                   const glm::dmat4& frame, const glm::dmat4& stand_in,
                                                   Instead&& instead) {
     require(is_normal(slide) && slide > T(0), function, "slide", "must be above 0 and finite");
-    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
+    const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
     const glm::dvec4 image = to_ndc * light;
     std::vector<glm::dvec3> in_ndc;
@@ -18007,8 +18345,8 @@ template <real T, class Instead>
         const glm::dvec4 h = to_ndc * glm::dvec4(p, 1.0);
         in_ndc.push_back(glm::dvec3(h) / h.w);
     }
-    const bool far = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
-    const auto middle = far ? glm::dvec3(0) : aim(glm::dvec3(image) / image.w, in_ndc, function);
+    const bool at_infinity = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
+    const auto middle = at_infinity ? glm::dvec3(0) : aim(glm::dvec3(image) / image.w, in_ndc, function);
     if (middle) {
         const auto [low, high] = extent_of(in_ndc);
         const glm::dvec4 y = to_ndc * glm::dvec4(frame[0][1], frame[1][1], frame[2][1], 0.0);
@@ -18018,17 +18356,20 @@ template <real T, class Instead>
         const double share = share_of_stand_in(opening);
         glm::dmat4 to_map = rays * to_ndc;
         if (share > 0.0 && share < 1.0)
-            to_map = (1.0 - share) * filled(to_map, fit.receivers) + share * filled(stand_in, fit.receivers);
+            to_map = (1.0 - share) * filled(to_map, *fit.receivers) + share * filled(stand_in, *fit.receivers);
         const auto warped = share < 1.0 ? refit(to_map, fit, casters, function) : std::nullopt;
         if (warped)
-            return {*warped, far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink};
+            return {*warped, at_infinity   ? light_image::parallel
+                             : image.w > 0 ? light_image::source
+                                           : light_image::sink};
     }
     return {instead(), light_image::none};
 }
 
 }  // namespace detail
 
-/// The map of a directional light through the camera's perspective. Casters behind the camera need no more of a slide:
+/// The map of a directional light through the camera's perspective. Under lights 6 to 14 degrees above a ground it can
+/// resolve far less than a map without a warp: see choose_light. Casters behind the camera need no more of a slide:
 /// w is the same all along a ray, and depth runs on.
 ///
 /// While camera and light move the map changes without a jump, from image to image of the light too, and to
@@ -18044,29 +18385,30 @@ template <real T, class Instead>
 template <real T = float>
 [[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, T slide = T(1)) {
     constexpr auto function = "fit_perspective";
-    const detail::along_view v = detail::make_along_view(fit, function);
+    const warp_fit<T> whole = detail::completed(fit, function);
+    const detail::along_view v = detail::make_along_view(whole, function);
     const glm::dvec4 light(-v.frame[0][2], -v.frame[1][2], -v.frame[2][2], 0.0);
     const polyhedron casters = fit.casters ? polyhedron(*fit.casters) : polyhedron();
     const double n = detail::default_distance(v);
-    return detail::perspective_of(light, fit, casters, slide, function, v.frame, detail::map_along(v, n),
-                                  [&] { return detail::warped_along(v, n, fit, function); });
+    return detail::perspective_of(light, whole, casters, slide, function, v.frame, detail::map_along(v, n),
+                                  [&] { return detail::warped_along(v, n, whole, function); });
 }
 
 /// The same of a point light, such as a spot: a source where it is before the camera, a sink where it is behind.
 ///
 /// @param fit    whose direction is the light's axis
 /// @return       light_image::none and what the light sees along its axis, without a warp, where the light stands amid
-///               what the camera sees
+///               what the camera sees; where there are no receivers, a map of what is right before the light
 /// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
 ///                                what fit_perspective complains of
 template <real T>
 [[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const lamp<T>& from, T slide = T(1)) {
     constexpr auto function = "fit_perspective";
-    detail::require_warp_fit(fit, function);
-    const detail::lamp_view own = detail::view_of(from, fit, function);
-    return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, slide, function,
+    const warp_fit<T> whole = detail::completed(fit, from, function);
+    const detail::lamp_view own = detail::view_of(from, whole, function);
+    return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), whole, own.casters, slide, function,
                                   own.frame, detail::map_along(own),
-                                  [&] { return detail::unwarped(own, fit, function); });
+                                  [&] { return detail::unwarped(own, whole, function); });
 }
 
 }  // namespace umbrage
@@ -18076,16 +18418,19 @@ template <real T>
 // for a ground, and for nothing else.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     auto ground = umbrage::fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));  // y = 0
+//     if (ground) draw_depths(ground->light);                               // else the plane is not seen, or not lit
 //
 
 namespace umbrage {
 
-/// What matrices in float leave of the plane's own depth, which is the same all over the map, under lights of 3 degrees
-/// and more above it: acne_free_bias, that sees no slope, is to be given this much more.
+/// How far the plane's own depth, which is one all over the map, spreads under a matrix that was made in double and
+/// rounded once to float: give acne_free_bias, which sees no slope, this much more. Holds for lights of 3 degrees and
+/// more above the plane and cameras within 30 units of the world's origin; farther out it grows with that distance.
 template <real T>
-inline constexpr T plane_optimal_rounding = T(0x1p-20);
+inline constexpr T plane_optimal_rounding = T(0x1p-18);
 
 namespace detail {
 
@@ -18105,17 +18450,16 @@ template <class = on_use>
 /// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
 /// @param casters   that lie before w = 0
 template <real T>
-[[nodiscard]] warped_light<T> plane_optimal_of(const glm::dvec4& light, const warp_fit<T>& fit,
-                                               const polyhedron& casters, const glm::vec<4, T>& plane,
-                                               const char* function) {
+[[nodiscard]] std::optional<warped_light<T>> plane_optimal_of(const glm::dvec4& light, const warp_fit<T>& fit,
+                                                              const polyhedron& casters, const glm::vec<4, T>& plane,
+                                                              const char* function) {
     glm::dvec4 ground(plane);
     require(all_finite(plane) && is_normal(glm::length(glm::dvec3(ground))), function, "plane",
             "must be finite and have a normal");
     ground /= glm::length(glm::dvec3(ground)) * (glm::dot(ground, light) < 0.0 ? -1.0 : 1.0);
     const double height = glm::dot(ground, light);
-    require(height > 1e-6 * glm::length(light), function, "plane", "must not be seen edge on by the light");
     const std::vector<glm::dvec3> seen = crossings(fit.camera, ground);
-    require(!seen.empty(), function, "plane", "must lie before the camera");
+    if (!(height > 1e-6 * glm::length(light)) || seen.empty()) return {};
 
     // along the light onto the plane, and from there onto the screen; heights over the plane are depth
     const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
@@ -18130,14 +18474,13 @@ template <real T>
     rows[3] = row(camera[2]);
     const glm::dmat4 to_map = glm::transpose(rows);
 
-    double least = std::numeric_limits<double>::infinity(), greatest = 0.0;
+    double least = highest<double>, greatest = 0.0;
     for (const glm::dvec3& p : seen) {
         const double w = (to_map * glm::dvec4(p, 1.0)).w;
-        least = glm::min(least, w), greatest = glm::max(greatest, w);
+        least = lesser(least, w), greatest = greater(greatest, w);
     }
     const double eye = glm::dot(ground, glm::dvec4(glm::dvec3(fit.camera.position), 1.0));
-    require(least > 0.0 && glm::abs(eye) > 1e-6 * greatest, function, "plane",
-            "must not be seen edge on by the camera");
+    if (!(least > 0.0 && glm::abs(eye) > 1e-6 * greatest)) return {};
     const double edge = 1.0 + 2.0 * double(fit.margin);
     // w is a plane's point's, by a share that a point light takes away on the way towards it
     const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
@@ -18148,12 +18491,12 @@ template <real T>
                                             {0, -1, 0, edge},
                                             glm::dvec4(0, 0, 0, 1) - share * least,
                                             share * greatest - glm::dvec4(0, 0, 0, 1)});
-    extent box{glm::dvec3(-edge, -edge, glm::min(0.0, swept.x)), glm::dvec3(edge, edge, glm::max(0.0, swept.y))};
-    const double deep = glm::max(double(fit.margin), 0x1p-8) * glm::max(box.high.z - box.low.z, 1.0);
+    extent box{glm::dvec3(-edge, -edge, lesser(0.0, swept.x)), glm::dvec3(edge, edge, greater(0.0, swept.y))};
+    const double deep = greater(double(fit.margin), 0x1p-8) * greater(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
-    require(warped.has_value(), function, "plane and camera", "give too large or too small a map");
-    return *warped;
+    require(warped.has_value(), function, "plane and camera", "must not give too large or too small a map");
+    return warped;
 }
 
 }  // namespace detail
@@ -18166,19 +18509,19 @@ template <real T>
 ///
 /// @param fit     but for its receivers, for which the plane stands
 /// @param plane   dot(plane, (p, 1)) = 0, a normal of any length > 0; the light may come from either side
-/// @return        of no use for what the light hardly touches: depth grows along the light by its height over the
-///                plane, over w
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, that the
-///                                camera does not see, or that holds the light's direction (1e-6), casters that are no
-///                                box, a negative margin, and what gives matrices that are not finite
+/// @return        nothing where the camera does not see the plane, lies in it, or the light does (1e-6); of no use for
+///                what the light hardly touches: depth grows along the light by its height over the plane, over w
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, casters
+///                                that are no box, a margin out of range, and what gives matrices that are not finite
 /// @formula       x, y and w of the camera after (N.L) I - L N^T, depth - N.p
 template <real T = float>
-[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {
+[[nodiscard]] std::optional<warped_light<T>> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {
     constexpr auto function = "fit_plane_optimal";
-    detail::require_warp_fit(fit, function);
+    const warp_fit<T> whole = detail::completed(fit, function);
     const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
     const glm::dvec4 light(-view[0][2], -view[1][2], -view[2][2], 0.0);
-    return detail::plane_optimal_of(light, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane, function);
+    return detail::plane_optimal_of(light, whole, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane,
+                                    function);
 }
 
 /// The same of a point light.
@@ -18186,12 +18529,12 @@ template <real T = float>
 /// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
 ///                                what fit_plane_optimal complains of
 template <real T>
-[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
-                                                const lamp<T>& from) {
+[[nodiscard]] std::optional<warped_light<T>> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
+                                                               const lamp<T>& from) {
     constexpr auto function = "fit_plane_optimal";
-    detail::require_warp_fit(fit, function);
-    const detail::lamp_view own = detail::view_of(from, fit, function);
-    return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, plane, function);
+    const warp_fit<T> whole = detail::completed(fit, from, function);
+    const detail::lamp_view own = detail::view_of(from, whole, function);
+    return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), whole, own.casters, plane, function);
 }
 
 }  // namespace umbrage
@@ -18201,7 +18544,8 @@ template <real T>
 // that up to a chosen distance the camera gets four fifths of the map.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
+//                                  .clip = clip};
 //     auto warped = umbrage::fit_trapezoidal(fit, 20.0f);
 //
 
@@ -18209,47 +18553,42 @@ namespace umbrage {
 
 /// The map of a directional light, warped along the camera's view with the focus on what is close.
 ///
+/// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
+///
 /// @param focus   distance along the camera's view up to which four fifths of the map are for, world units, >= 0;
 ///                receivers that begin behind it get the strongest warp there is; none where four fifths of the
 ///                receivers lie before it
 /// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                from there to 0.2 the warp grows, without a jump
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
-///                                casters that are no box, a negative margin, focus negative or not finite, and what
-///                                gives matrices that are not finite
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
+///                                casters that are no box, a margin out of range, focus negative or not finite, and
+///                                what gives matrices that are not finite
 /// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
 ///                l apart; with the focus f behind the top the legs meet 0.4 l f / (1.6 l - 2 f) before it
 /// @cite          Martin, Tan: Anti-aliasing and Continuity with Trapezoidal Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] warped_light<T> fit_trapezoidal(const warp_fit<T>& fit, T focus) {
     constexpr auto function = "fit_trapezoidal";
-    const detail::along_view v = detail::make_along_view(fit, function);
+    const warp_fit<T> whole = detail::completed(fit, function);
+    const detail::along_view v = detail::make_along_view(whole, function);
     detail::require(is_finite(focus) && focus >= T(0), function, "focus", "must be finite and not below 0");
-    const double f = glm::max(v.camera_y + double(focus) * v.sine - v.first.y, 0.0), rest = 1.6 * v.length - 2.0 * f;
-    if (!(rest > 0.0)) return detail::unwarped(fit, function);
-    return detail::warped_along(v, 0.4 * v.length * f / rest, fit, function);
+    const double f = detail::greater(v.camera_y + double(focus) * v.sine - v.first.y, 0.0),
+                 rest = 1.6 * v.length - 2.0 * f;
+    if (!(rest > 0.0)) return detail::unwarped(whole, function);
+    return detail::warped_along(v, 0.4 * v.length * f / rest, whole, function);
 }
 
 }  // namespace umbrage
 
-// ---- umbrage/shader/bind.hpp
-// Snippets bound to maps, so that one shader holds maps of several kinds: functions under a suffix of each map's own.
+// ---- umbrage/shader/binding.hpp
+// What a map is to shaders: what its texels lie in, how they become depths, how they compare.
 //
 //     using namespace umbrage::glsl;
-//     std::string shader = source(version::v330, {bind(pcf_2x2, "sun", {.texture = texture::array}),
-//                                                 bind(box, "lamp", stored_as(umbrage::rg<11>{}))});
-//     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_lamp(sampler2D map, ...)
+//     const binding cascades{.texture = texture::array, .outside_lit = true};
+//     const binding packed = stored_as(umbrage::rg<11>{});
 //
 
 namespace umbrage::glsl {
-
-namespace detail {
-
-[[nodiscard]] constexpr bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-}  // namespace detail
 
 /// What a map's texels lie in, and so what functions that take a map are called with first; here in GLSL's words:
 ///   texture_2d             sampler2D map: depths, or values that `depth` makes depths of
@@ -18304,36 +18643,6 @@ template <known_encoding Encoding>
         map.needs.push_back(*Encoding::reader);
     }
     return map;
-}
-
-/// A snippet and the map that it is for; a snippet alone is for the shader's one map.
-struct bound {
-    snippet what;
-    std::string suffix{};
-    binding map{};
-    bool by_macros = true;  ///< in GLSL the hooks are macros of the shader's
-
-    template <class = umbrage::detail::on_use>
-    bound(const snippet& s) : what(s) {}
-    template <class = umbrage::detail::on_use>
-    bound(const snippet& s, std::string_view name, binding b)
-        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)), by_macros(false) {}
-};
-
-/// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
-/// @param name   letters, digits, single underscores between them
-/// @throws std::invalid_argument  another name
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
-    char before = '_';
-    for (const char c : name) {
-        if (!detail::is_word(c) || (c == '_' && before == '_'))
-            umbrage::detail::fail("umbrage::glsl::bind: name is not a part of an identifier: " + std::string(name));
-        before = c;
-    }
-    if (!name.empty() && before == '_')
-        umbrage::detail::fail("umbrage::glsl::bind: name ends in _: " + std::string(name));
-    return {what, name, std::move(map)};
 }
 
 }  // namespace umbrage::glsl
@@ -18609,6 +18918,8 @@ namespace umbrage::glsl::hooks {
 
 inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
                                               .summary = "lit_filtered, clamped",
+                                              .exactness = tier::c,
+                                              .within = 1.0f / 128.0f,
                                               .needs = list<&before_far>,
                                               .role = hook::chosen,
                                               .source = R"GLSL(
@@ -18626,6 +18937,8 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
+                                               .exactness = tier::c,
+                                               .within = 1.0f / 128.0f,
                                                .needs = list<&before_far, &compare, &cleared_depth>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
@@ -18646,8 +18959,12 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 // Where a map is all of its texture, uv over the map is what the sampler takes, and the sampler clamps to the edge.
 
-inline constexpr snippet sampled_lit{
-    .name = "lit_at", .summary = "lit_at, sampled", .role = hook::chosen, .source = R"GLSL(
+inline constexpr snippet sampled_lit{.name = "lit_at",
+                                     .summary = "lit_at, sampled",
+                                     .exactness = tier::c,
+                                     .within = 1.0f / 128.0f,
+                                     .role = hook::chosen,
+                                     .source = R"GLSL(
 // umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
@@ -18656,8 +18973,13 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 }
 )GLSL"};
 
-inline constexpr snippet sampled_depth{
-    .name = "depth_at", .summary = "depth_at, sampled", .needs = list<&decode>, .role = hook::chosen, .source = R"GLSL(
+inline constexpr snippet sampled_depth{.name = "depth_at",
+                                       .summary = "depth_at, sampled",
+                                       .exactness = tier::c,
+                                       .operations = 4,
+                                       .needs = list<&decode>,
+                                       .role = hook::chosen,
+                                       .source = R"GLSL(
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
@@ -18674,6 +18996,381 @@ inline constexpr const auto& all =
          &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_depth>;
 
 }  // namespace umbrage::glsl::hooks
+
+// ---- umbrage/shader/chosen.hpp
+// Which function a map has for each hook.
+//
+
+namespace umbrage::glsl::detail {
+
+[[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
+/// Whether a map is all of its texture, edges and all.
+[[nodiscard]] inline bool is_whole(const binding& b) { return !has_region(b) && !b.outside_lit; }
+[[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
+[[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
+[[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
+
+/// The function that a map has in place of a hook's own text; other snippets as they are.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
+    const bool forward = b.direction == depth_direction::forward;
+    bool scaled = false;
+    for (const snippet& need : b.needs) scaled = scaled || need.scaled;
+    switch (s.role) {
+        case hook::none:
+        case hook::chosen: return s;
+        case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
+        case hook::beyond_far:
+            return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
+        case hook::before_far: return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
+        case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
+        case hook::texel:
+        case hook::fetch_depth:
+            if (s.role == hook::texel) return hooks::texel;
+            return b.outside_lit ? hooks::bordered_depth : hooks::clamped_depth;
+        case hook::lit:
+            if (!compares(b.texture)) return s;
+            return b.outside_lit ? hooks::bordered_lit : hooks::clamped_lit;
+        case hook::lit_2x2:
+            if (!b.gather) return s;
+            if (b.outside_lit) return hooks::gathered_bordered;
+            return has_region(b) ? hooks::gathered_region : hooks::gathered;
+        case hook::gather_lit:
+            if (compares(b.texture)) return hooks::gather_compared;
+            return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
+        case hook::lit_filtered:
+            if (!compares(b.texture)) return s;
+            return b.outside_lit ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
+        case hook::lit_at: return compares(b.texture) && is_whole(b) ? hooks::sampled_lit : s;
+        case hook::depth_at:
+            return b.gather && gathers(b.texture) && !compares(b.texture) && is_whole(b) ? hooks::sampled_depth : s;
+    }
+    return s;
+}
+
+/// Whether a snippet is a hook of these roles, or calls one.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool calls(const snippet& s, hook first, hook last) {
+    for (const snippet* need : s.needs)
+        if (calls(*need, first, last)) return true;
+    return first <= s.role && s.role <= last;
+}
+
+/// Whether a snippet's functions are a map's own.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_of_map(const snippet& s) {
+    return calls(s, hook::cleared_depth, hook::chosen);
+}
+
+/// Whether a snippet reads its map.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool reads_map(const snippet& s) {
+    return calls(s, hook::texel, hook::depth_at);
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/bind.hpp
+// Snippets bound to maps, so that one shader holds maps of several kinds: functions under a suffix of each map's own.
+//
+//     using namespace umbrage::glsl;
+//     std::string shader = source(version::v330, {bind(pcf_2x2, "sun", {.texture = texture::array}),
+//                                                 bind(box, "lamp", stored_as(umbrage::rg<11>{}))});
+//     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_lamp(sampler2D map, ...)
+//
+
+namespace umbrage::glsl {
+
+namespace detail {
+
+[[nodiscard]] constexpr bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// What holds of a part of an identifier: letters, digits, single underscores between them.
+[[nodiscard]] constexpr bool is_part_of_identifier(std::string_view name) {
+    char before = '_';
+    for (const char c : name) {
+        if (!is_word(c) || (c == '_' && before == '_')) return false;
+        before = c;
+    }
+    return name.empty() || before != '_';
+}
+
+/// Whether a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_expression(std::string_view text) {
+    std::string closing;
+    bool blank = true;
+    for (const char c : text) {
+        if (c < ' ' || c > '~' || std::string_view(";#\\\"'`").find(c) != std::string_view::npos) return false;
+        blank = blank && c == ' ';
+        if (c == '(' || c == '[' || c == '{') closing += c == '(' ? ')' : c == '[' ? ']' : '}';
+        if (c != ')' && c != ']' && c != '}') continue;
+        if (closing.empty() || closing.back() != c) return false;
+        closing.pop_back();
+    }
+    return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
+}
+
+/// @throws std::invalid_argument   unless it holds
+template <class = umbrage::detail::on_use>
+void must(bool holds, std::string_view condition, std::string_view got) {
+    if (holds) return;
+    std::string message = "umbrage::glsl::bind: ";
+    message += condition;
+    message += "; got ";
+    umbrage::detail::fail(message + (got.empty() ? "\"\"" : std::string(got)));
+}
+
+/// Every hook that the snippet calls is one that the map can have.
+template <class = umbrage::detail::on_use>
+void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
+    const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
+    must(!reads || !compares(map.texture),
+         "what must be a snippet that reads no depths, as a comparison sampler gives none", what.name);
+    must(asked.role != hook::gather_lit || gathers(map.texture),
+         "map.gather must be false where texels of cubes or whole numbers are gathered", "true");
+    must(asked.role != hook::gather_lit || map.channels <= 2, "map.channels must be 1 or 2 where texels are gathered",
+         std::to_string(map.channels));
+    for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
+}
+
+/// @throws std::invalid_argument   for what does not compile, whatever the language
+template <class = umbrage::detail::on_use>
+void check(const snippet& what, std::string_view name, const binding& map) {
+    must(is_part_of_identifier(name), "name must be letters, digits and single underscores between them", name);
+    const bool one_channel =
+        compares(map.texture) || map.texture == texture::depth || map.texture == texture::depth_array;
+    must(1 <= map.channels && map.channels <= 4, "map.channels must be 1 to 4", std::to_string(map.channels));
+    must(!one_channel || map.channels == 1, "map.channels must be 1 for a depth texture", std::to_string(map.channels));
+    must(!compares(map.texture) || map.depth.empty(), "map.depth must be empty for a comparison sampler", map.depth);
+    const auto expression = [](const std::string& own, const char* condition) {
+        must(own.empty() || is_expression(own), condition, own);
+    };
+    expression(map.depth, "map.depth must be one expression on one line");
+    expression(map.origin, "map.origin must be one expression on one line");
+    expression(map.texture_size, "map.texture_size must be one expression on one line");
+    expression(map.texel, "map.texel must be one expression on one line");
+    expression(map.parameters, "map.parameters must be parameters on one line");
+    expression(map.arguments, "map.arguments must be expressions on one line");
+    for (const snippet& need : map.needs)
+        must(!reads_map(need), "map.needs must be snippets that read no map", need.name);
+    check_hooks(what, what, map);
+}
+
+}  // namespace detail
+
+/// A snippet and the map that it is for; a snippet alone is for the shader's one map.
+struct bound {
+    snippet what;
+    std::string suffix{};
+    binding map{};
+    bool by_macros = true;  ///< in GLSL the hooks are macros of the shader's
+
+    template <class = umbrage::detail::on_use>
+    bound(const snippet& s) : what(s) {}
+    template <class = umbrage::detail::on_use>
+    bound(const snippet& s, std::string_view name, binding b)
+        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)), by_macros(false) {}
+};
+
+/// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
+/// @param name   letters, digits, single underscores between them
+/// @throws std::invalid_argument   another name; a map that cannot have what is asked of it
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
+    detail::check(what, name, map);
+    return {what, name, std::move(map)};
+}
+
+}  // namespace umbrage::glsl
+
+// ---- umbrage/shader/fill.hpp
+// A snippet's text, in any language, with the words that a map fills in.
+//
+
+namespace umbrage::glsl::detail {
+
+/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
+/// 0 to 1.
+struct texture_words {
+    literal parameters, arguments;
+    literal texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    literal sampled{};                      ///< vec4 at `uv`
+    literal lit{};                          ///< the sampler's comparison with `receiver`: float
+    literal gather_red{}, gather_green{};   ///< vec4
+    literal gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    literal lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
+    literal size{};                         ///< of the texture: vec2
+    literal sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    snippet_span needs{};                   ///< what these words call
+};
+
+/// The text with each word replaced by replacement(word, in_comment).
+template <class Replacement>
+[[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
+    std::string out;
+    bool comment = false;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && is_word(text[end])) ++end;
+        if (end > i) {
+            out += replacement(text.substr(i, end - i), comment);
+            i = end;
+            continue;
+        }
+        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
+        out += text[i++];
+    }
+    return out;
+}
+
+/// Its words, but for those in comments.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view text) {
+    std::vector<std::string_view> all;
+    (void)replace_words(text, [&](std::string_view word, bool comment) {
+        if (!comment) all.push_back(word);
+        return std::string();
+    });
+    return all;
+}
+
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool contains(const std::vector<std::string_view>& all, std::string_view word) {
+    for (const std::string_view one : all)
+        if (one == word) return true;
+    return false;
+}
+
+/// What a text calls its map: `map`, or `table`.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string name_of_map(std::string_view text) {
+    const std::string_view type = "UMBRAGE_MAP ";
+    const auto at = text.find(type);
+    if (at == text.npos) return "map";
+    text.remove_prefix(at + type.size());
+    return std::string(text.substr(0, text.find_first_of(",)")));
+}
+
+/// A list's members: what commas part, but for those in brackets.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> members(std::string_view list) {
+    std::vector<std::string_view> all;
+    int open = 0;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        const char c = i < list.size() ? list[i] : ',';
+        if (c == '(' || c == '[' || c == '{' || c == '<') ++open;
+        if (c == ')' || c == ']' || c == '}' || c == '>') --open;
+        if (c != ',' || (open > 0 && i < list.size())) continue;
+        all.push_back(list.substr(begin, i - begin));
+        begin = i + 1;
+    }
+    return all;
+}
+
+/// The names that parameters declare: `map` of "sampler2D map", of "map: texture_2d<f32>" and of "sampler2D map[4]".
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> declared(std::string_view parameters) {
+    std::vector<std::string_view> names;
+    for (const std::string_view parameter : members(parameters)) {
+        std::size_t end = 0;  // of the name: a type may follow, or how many there are
+        while (end < parameter.size() && parameter[end] != '[' && parameter[end] != ':')
+            end += parameter.substr(end + 1).starts_with("::") ? 3 : 1;
+        const auto all = words_of(parameter.substr(0, end));
+        if (!all.empty()) names.push_back(all.back());
+    }
+    return names;
+}
+
+/// A snippet's text with what a map fills in.
+/// @throws std::invalid_argument   own parameters that leave out what is read, or take a name that the text has
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words) {
+    const binding& map = item.map;
+    const auto one_of = [](const std::string& own, std::string_view ordinary) {
+        return own.empty() ? std::string(ordinary) : own;
+    };
+    const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
+    const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
+    const auto replace = [&](std::string_view what, std::string_view with) {
+        for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+            text.replace(at, what.size(), with);
+    };
+    const std::string texel = one_of(map.texel, words.texel);
+    if (texel.starts_with('#')) replace("    return UMBRAGE_TEXEL;\n", "UMBRAGE_TEXEL");
+    if (const auto at = text.find("UMBRAGE_ORIGIN"); at != text.npos && origin.empty()) {
+        const auto begin = text.rfind('\n', at);
+        text.erase(begin, text.find('\n', at) - begin);
+    }
+    const std::string own_map = name_of_map(text);
+    replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
+    const auto with_sampler = [&](std::string_view ordinary, std::string_view sampler) {
+        std::string all(ordinary);
+        if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), sampler);
+        return all;
+    };
+    const std::string ordinary = with_sampler(words.arguments, words.sampler_argument);
+    const std::string parameters = one_of(map.parameters, with_sampler(words.parameters, words.sampler));
+    const std::string arguments = one_of(map.arguments, ordinary);
+    must(members(parameters).size() == members(arguments).size(), "map.arguments must be as many as map.parameters",
+         '"' + arguments + "\" for \"" + parameters + '"');
+    const std::vector<std::string_view> names = declared(parameters);
+    if (!map.parameters.empty())
+        for (const std::string_view word : words_of(text))
+            must(word == own_map || !contains(names, word),
+                 "map.parameters must be named otherwise than what umbrage_" + std::string(s.name) + " names", word);
+    /// A language's own words, whose arguments the map's own parameters declare too.
+    const auto ours = [&](std::string_view expression) {
+        for (const std::string_view word : words_of(expression))
+            must(!contains(words_of(ordinary), word) || contains(names, word),
+                 "map.parameters must declare " + std::string(word), parameters);
+        return expression;
+    };
+    if (map.arguments.empty()) ours(arguments);
+    const auto list = [&](const std::string& all) {
+        return replace_words(all,
+                             [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
+    };
+
+    const auto suffixed = [&](std::string_view word) {
+        const auto is_it = [name = word.substr(8)](const snippet& own) { return own.name == name && is_of_map(own); };
+        bool own = word.substr(8) == s.name;
+        for (const snippet& need : map.needs) own = own || is_it(need);
+        for (const snippet* need : s.needs) own = own || is_it(*need);
+        return std::string(word) + (own ? item.suffix : std::string());
+    };
+    const auto of_texture = [&](std::string_view expression) {
+        return replace_words(expression, [&](std::string_view word, bool) -> std::string {
+            if (word.starts_with("umbrage_")) return suffixed(word);
+            if (word == "at" && origin.empty()) return "texel";
+            if (word != "UMBRAGE_TEXTURE_SIZE") return std::string(word);
+            must(!texture_size.empty(),
+                 "map.texture_size must be given for a region that this language's sampler reads", "");
+            return texture_size;
+        });
+    };
+    return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
+        if (word.starts_with("umbrage_")) return suffixed(word);
+        if (word == own_map && !comment) return list(arguments);
+        if (word == "UMBRAGE_PARAMETERS") return list(parameters);
+        if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
+        if (word == "UMBRAGE_ORIGIN") return origin;
+        if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
+        if (word == "UMBRAGE_LIT_TEXEL") return of_texture(ours(words.lit));
+        if (word == "UMBRAGE_UV") return of_texture("at / UMBRAGE_TEXTURE_SIZE");
+        if (word == "UMBRAGE_SAMPLED") return of_texture(ours(words.sampled));
+        if (word == "UMBRAGE_LIT_FILTERED") return of_texture(ours(words.lit_filtered));
+        if (word == "UMBRAGE_GATHER_RED") return of_texture(ours(words.gather_red));
+        if (word == "UMBRAGE_GATHER_GREEN") return of_texture(ours(words.gather_green));
+        if (word == "UMBRAGE_GATHER_LIT") return of_texture(ours(words.gather_lit));
+        return std::string(word);
+    });
+}
+
+}  // namespace umbrage::glsl::detail
 
 // ---- umbrage/shader/translate/layout.hpp
 // Where lines end, once words of another length stand in them.
@@ -18749,26 +19446,10 @@ template <class = umbrage::detail::on_use>
 }  // namespace umbrage::glsl::detail
 
 // ---- umbrage/shader/compose.hpp
-// How bound snippets become one text, in any language: the hooks that a map chooses in place of the snippets' own, the
-// words that it fills in, everything once and after what it needs.
+// How bound snippets become one text, in any language: everything once and after what it needs.
 //
 
 namespace umbrage::glsl::detail {
-
-/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
-/// 0 to 1.
-struct texture_words {
-    literal parameters, arguments;
-    literal texel{};                        ///< vec4; lines that begin with # stand for the whole statement
-    literal sampled{};                      ///< vec4 at `uv`
-    literal lit{};                          ///< the sampler's comparison with `receiver`: float
-    literal gather_red{}, gather_green{};   ///< vec4
-    literal gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    literal lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
-    literal size{};                         ///< of the texture: vec2
-    literal sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
-    snippet_span needs{};                   ///< what these words call
-};
 
 /// What there is to know of a language.
 struct language {
@@ -18777,158 +19458,7 @@ struct language {
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
-    literal scaled_macro{};                      ///< for those of depths on a scale of their own
 };
-
-/// The text with each word replaced by replacement(word, in_comment).
-template <class Replacement>
-[[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
-    std::string out;
-    bool comment = false;
-    for (std::size_t i = 0; i < text.size();) {
-        std::size_t end = i;
-        while (end < text.size() && is_word(text[end])) ++end;
-        if (end > i) {
-            out += replacement(text.substr(i, end - i), comment);
-            i = end;
-            continue;
-        }
-        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
-        out += text[i++];
-    }
-    return out;
-}
-
-[[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
-/// Whether a map is all of its texture, edges and all.
-[[nodiscard]] inline bool is_whole(const binding& b) { return !has_region(b) && !b.outside_lit; }
-[[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
-[[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
-[[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
-
-/// The function that a map has in place of a hook's own text; other snippets as they are.
-/// @throws std::invalid_argument  the map cannot have what is asked of it
-template <class = umbrage::detail::on_use>
-[[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
-    const bool forward = b.direction == depth_direction::forward;
-    bool scaled = false;
-    for (const snippet& need : b.needs) scaled = scaled || need.scaled;
-    switch (s.role) {
-        case hook::none:
-        case hook::chosen: return s;
-        case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
-        case hook::beyond_far:
-            return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
-        case hook::before_far: return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
-        case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
-        case hook::texel:
-        case hook::fetch_depth:
-            if (compares(b.texture))
-                umbrage::detail::fail("umbrage::glsl::bind: a comparison sampler compares, it gives no depths");
-            if (s.role == hook::texel) return hooks::texel;
-            return b.outside_lit ? hooks::bordered_depth : hooks::clamped_depth;
-        case hook::lit:
-            if (!compares(b.texture)) return s;
-            return b.outside_lit ? hooks::bordered_lit : hooks::clamped_lit;
-        case hook::lit_2x2:
-            if (!b.gather) return s;
-            if (b.outside_lit) return hooks::gathered_bordered;
-            return has_region(b) ? hooks::gathered_region : hooks::gathered;
-        case hook::gather_lit:
-            if (!gathers(b.texture))
-                umbrage::detail::fail("umbrage::glsl::bind: no gather from a cube or from whole numbers");
-            if (compares(b.texture)) return hooks::gather_compared;
-            if (b.channels > 2) umbrage::detail::fail("umbrage::glsl::bind: a gather of more than two channels");
-            return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
-        case hook::lit_filtered:
-            if (!compares(b.texture)) return s;
-            return b.outside_lit ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
-        case hook::lit_at: return compares(b.texture) && is_whole(b) ? hooks::sampled_lit : s;
-        case hook::depth_at:
-            return b.gather && gathers(b.texture) && !compares(b.texture) && is_whole(b) ? hooks::sampled_depth : s;
-    }
-    return s;
-}
-
-/// Whether a snippet's functions are a map's own: they are hooks, or call some.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bool is_of_map(const snippet& s) {
-    for (const snippet* need : s.needs)
-        if (is_of_map(*need)) return true;
-    return s.role != hook::none;
-}
-
-/// What a text calls its map: `map`, or `table`.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string name_of_map(std::string_view text) {
-    const std::string_view type = "UMBRAGE_MAP ";
-    const auto at = text.find(type);
-    if (at == text.npos) return "map";
-    text.remove_prefix(at + type.size());
-    return std::string(text.substr(0, text.find_first_of(",)")));
-}
-
-/// A snippet's text with what a map fills in.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words) {
-    const binding& map = item.map;
-    const auto one_of = [](const std::string& own, std::string_view ordinary) {
-        return own.empty() ? std::string(ordinary) : own;
-    };
-    const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
-    const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
-    const auto replace = [&](std::string_view what, std::string_view with) {
-        for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
-            text.replace(at, what.size(), with);
-    };
-    const std::string texel = one_of(map.texel, words.texel);
-    if (texel.starts_with('#')) replace("    return UMBRAGE_TEXEL;\n", "UMBRAGE_TEXEL");
-    if (const auto at = text.find("UMBRAGE_ORIGIN"); at != text.npos && origin.empty()) {
-        const auto begin = text.rfind('\n', at);
-        text.erase(begin, text.find('\n', at) - begin);
-    }
-    const std::string own_map = name_of_map(text);
-    replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
-    const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
-        std::string all = one_of(own, ordinary);
-        if (own.empty() && map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), sampler);
-        return replace_words(all,
-                             [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
-    };
-
-    const auto suffixed = [&](std::string_view word) {
-        const auto is_it = [name = word.substr(8)](const snippet& own) { return own.name == name && is_of_map(own); };
-        bool own = word.substr(8) == s.name;
-        for (const snippet& need : map.needs) own = own || is_it(need);
-        for (const snippet* need : s.needs) own = own || is_it(*need);
-        return std::string(word) + (own ? item.suffix : std::string());
-    };
-    const auto of_texture = [&](std::string_view expression) {
-        return replace_words(expression, [&](std::string_view word, bool) -> std::string {
-            if (word.starts_with("umbrage_")) return suffixed(word);
-            if (word == "at" && origin.empty()) return "texel";
-            if (word != "UMBRAGE_TEXTURE_SIZE") return std::string(word);
-            if (texture_size.empty()) umbrage::detail::fail("umbrage::glsl::bind: this language needs texture_size");
-            return texture_size;
-        });
-    };
-    return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
-        if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == own_map && !comment) return list(map.arguments, words.arguments, words.sampler_argument);
-        if (word == "UMBRAGE_PARAMETERS") return list(map.parameters, words.parameters, words.sampler);
-        if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
-        if (word == "UMBRAGE_ORIGIN") return origin;
-        if (word == "UMBRAGE_TEXEL") return of_texture(texel);
-        if (word == "UMBRAGE_LIT_TEXEL") return of_texture(words.lit);
-        if (word == "UMBRAGE_UV") return of_texture("at / UMBRAGE_TEXTURE_SIZE");
-        if (word == "UMBRAGE_SAMPLED") return of_texture(words.sampled);
-        if (word == "UMBRAGE_LIT_FILTERED") return of_texture(words.lit_filtered);
-        if (word == "UMBRAGE_GATHER_RED") return of_texture(words.gather_red);
-        if (word == "UMBRAGE_GATHER_GREEN") return of_texture(words.gather_green);
-        if (word == "UMBRAGE_GATHER_LIT") return of_texture(words.gather_lit);
-        return std::string(word);
-    });
-}
 
 /// One text in the making.
 template <class = umbrage::detail::on_use>
@@ -18941,45 +19471,82 @@ public:
         for (bound& item : items_) {
             if (item.by_macros) item.map = one;
             for (const bound& other : items)
-                if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map) &&
-                    (!other.by_macros || is_of_map(other.what)))
-                    umbrage::detail::fail("umbrage::glsl::text: two maps have one name:" + item.suffix);
+                if (!item.by_macros && item.suffix == other.suffix &&
+                    (other.by_macros ? is_of_map(other.what) : !(item.map == other.map)))
+                    umbrage::detail::fail("umbrage::glsl::text: name must be another for each map; got \"" +
+                                          item.suffix.substr(item.suffix.empty() ? 0 : 1) + "\" for two");
         }
-        if (language_.macros && !one.needs.empty()) text_ += language_.scaled_macro;
     }
 
-    /// What belongs to no map comes first: hooks may call it, whatever the order of the items.
     [[nodiscard]] std::string text() && {
-        for (const bool of_map : {false, true})
-            for (const bound& item : items_) {
-                for (const snippet& need : item.map.needs) add(need, item, of_map);
-                for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map);
-                add(item.what, item, of_map);
-            }
+        for_each([&](const snippet& s, const bound& item, const std::string& guard) {
+            const bool of_map = is_of_map(s);
+            const std::string body = language_.translate(s);
+            if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
+            text_ += of_map && !keeps_macros(item)
+                         ? laid_out(for_map(body, s, item, language_.texture(item.map.texture)))
+                         : body;
+            if (language_.preprocessor) text_ += "#endif\n";
+        });
         return std::move(text_);
     }
 
-private:
-    void add(const snippet& asked, const bound& item, bool of_map) {
-        const bool by_macros = language_.macros && item.by_macros;
-        const snippet& s = by_macros ? asked : chosen(asked, item.map);
-        for (const snippet* need : s.needs) add(*need, item, of_map);
-        if (is_of_map(s) != of_map) return;
-        std::string guard = "UMBRAGE_HAS_" + std::string(s.name) + (of_map ? item.suffix : std::string());
-        for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-        for (const std::string& done : done_)
-            if (done == guard) return;
-        const std::string body = language_.translate(s);
-        if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-        text_ += of_map && !by_macros ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
-        if (language_.preprocessor) text_ += "#endif\n";
-        done_.push_back(std::move(guard));
+    /// The worst tier of what the text holds.
+    [[nodiscard]] tier exactness() && {
+        tier worst = tier::a;
+        for_each([&](const snippet& s, const bound&, const std::string&) {
+            if (worst < s.exactness) worst = s.exactness;
+        });
+        return worst;
     }
+
+private:
+    struct part {
+        std::string_view what;
+        std::string suffix, guard;
+    };
+
+    /// Calls use(snippet, item, guard) for each part of the text, in order. What belongs to no map comes first: hooks
+    /// may call it, whatever the order of the items.
+    template <class Part>
+    void for_each(const Part& use) {
+        for (const bool of_map : {false, true})
+            for (const bound& item : items_) {
+                // No far plane for the shader's one map: a function, as a macro in two places confuses preprocessors of
+                // engines; and always, so that a file with such depths changes those that are pasted behind it.
+                if (of_map && keeps_macros(item) && &chosen(beyond_far, item.map) == &hooks::scaled_beyond_far)
+                    add(hooks::scaled_beyond_far, item, of_map, use);
+                for (const snippet& need : item.map.needs) add(need, item, of_map, use);
+                for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
+                add(item.what, item, of_map, use);
+            }
+    }
+
+    template <class Part>
+    void add(const snippet& asked, const bound& item, bool of_map, const Part& use) {
+        const snippet& s = keeps_macros(item) ? asked : chosen(asked, item.map);
+        for (const snippet* need : s.needs) add(*need, item, of_map, use);
+        if (is_of_map(s) != of_map) return;
+        const std::string suffix = of_map ? item.suffix : std::string(), function = std::string(s.name) + suffix;
+        std::string guard = "UMBRAGE_HAS_" + function;
+        for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        for (const part& done : done_) {
+            if (done.guard != guard) continue;
+            if (done.what == s.name && done.suffix == suffix) return;
+            umbrage::detail::fail(
+                "umbrage::glsl::text: names must keep functions apart, in capitals too; got umbrage_" +
+                std::string(done.what) + done.suffix + " and umbrage_" + function);
+        }
+        use(s, item, guard);
+        done_.push_back({s.name, suffix, std::move(guard)});
+    }
+
+    [[nodiscard]] bool keeps_macros(const bound& item) const { return language_.macros && item.by_macros; }
 
     const language& language_;
     std::vector<bound> items_;
     std::string text_;
-    std::vector<std::string> done_;
+    std::vector<part> done_;
 };
 
 /// A line that names what follows, then it.
@@ -19026,13 +19593,6 @@ inline constexpr literal prelude = R"GLSL(
 )GLSL";
 
 namespace detail {
-
-inline constexpr literal scaled_macro = R"GLSL(
-// depths here are on a scale of their own, on which 1.0 is not the far plane
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
-)GLSL";
 
 [[nodiscard]] constexpr texture_words glsl_reads(texture kind) {
     switch (kind) {
@@ -19111,8 +19671,58 @@ template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
-                                        .macros = true,
-                                        .scaled_macro = scaled_macro};
+                                        .macros = true};
+
+[[nodiscard]] constexpr bool is_es(version v) {
+    return v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
+}
+
+/// __VERSION__
+[[nodiscard]] constexpr int number(version v) {
+    int n = 0;
+    for (const char c : directive(v).substr(0, 3)) n = n * 10 + (c - '0');
+    return n;
+}
+
+/// The prelude where the dialect is known.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string known_prelude(version v) {
+    const bool has_precise = number(v) >= (is_es(v) ? 320 : 400);
+    return std::string("\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP") + (is_es(v) ? " highp" : "") +
+           "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + (has_precise ? " precise" : "") +
+           "\n#endif\n";
+}
+
+/// The text with what __VERSION__ decides decided.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string resolved(std::string_view text, int number) {
+    enum class branch { kept, taken, left_out };  // kept: directive and all
+    const std::string_view condition = "#if __VERSION__ >= ";
+    std::vector<branch> open;
+    std::string out;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n') + 1);
+        text.remove_prefix(line.size());
+        bool shown = true;
+        if (line.starts_with(condition)) {
+            int least = 0;
+            for (const char c : line.substr(condition.size(), 3)) least = least * 10 + (c - '0');
+            open.push_back(number >= least ? branch::taken : branch::left_out);
+            shown = false;
+        } else if (line.starts_with("#if")) {
+            open.push_back(branch::kept);
+        } else if (line.starts_with("#else") && open.back() != branch::kept) {
+            open.back() = open.back() == branch::taken ? branch::left_out : branch::taken;
+            shown = false;
+        } else if (line.starts_with("#endif")) {
+            shown = open.back() == branch::kept;
+            open.pop_back();
+        }
+        for (const branch b : open) shown = shown && b != branch::left_out;
+        if (shown) out += line;
+    }
+    return out;
+}
 
 }  // namespace detail
 
@@ -19145,37 +19755,55 @@ template <class Use = umbrage::detail::on_use>
     return detail::compose<Use>(detail::glsl_language<Use>, items);
 }
 
-namespace detail {
-
+/// The same for a dialect: what __VERSION__ decides is decided, as preprocessors of engines do not know it.
+/// @throws std::invalid_argument   as above; when the dialect has not what a snippet or a map needs
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, const std::vector<bound>& items, std::string_view preamble) {
+[[nodiscard]] std::string text(version v, std::span<const bound> items) {
     for (const bound& item : items)
         if (!supports(item, v))
-            umbrage::detail::fail("umbrage::glsl::source: GLSL " + std::string(directive(v)) + " is too old for " +
-                                  std::string(item.what.name) + item.suffix);
+            umbrage::detail::fail("umbrage::glsl::text: version must be one that has " + std::string(item.what.name) +
+                                  item.suffix + "; got " + std::string(directive(v)));
+    const std::string known_prelude = detail::known_prelude<Use>(v);
+    detail::language known = detail::glsl_language<Use>;
+    known.prelude = known_prelude;
+    return detail::resolved<Use>(detail::compose<Use>(known, {items.begin(), items.end()}), detail::number(v));
+}
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(version v, std::initializer_list<bound> items) {
+    return text<Use>(v, std::span<const bound>(items.begin(), items.size()));
+}
+
+/// The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
+/// binding says in the shader's own language has no tier.
+/// @throws std::invalid_argument   as text
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] tier exactness(std::span<const bound> items) {
+    return detail::composition<Use>(detail::glsl_language<Use>, {items.begin(), items.end()}).exactness();
+}
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] tier exactness(std::initializer_list<bound> items) {
+    return detail::composition<Use>(detail::glsl_language<Use>, items).exactness();
+}
+
+/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+/// @throws std::invalid_argument   as text
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
     std::string out = "#version ";
     out += directive(v);
     out += '\n';
     out += preamble;
     if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + compose<Use>(glsl_language<Use>, items);
-}
-
-}  // namespace detail
-
-/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
-/// @throws std::invalid_argument   as text; when the dialect has not what a snippet or a map needs
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
-    return detail::source<Use>(v, {items.begin(), items.end()}, preamble);
+    return out + text<Use>(v, items);
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
-    return detail::source<Use>(v, {snippets.begin(), snippets.end()}, preamble);
+    const std::vector<bound> items(snippets.begin(), snippets.end());
+    return source<Use>(v, std::span<const bound>(items), preamble);
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
-    return detail::source<Use>(v, items, preamble);
+    return source<Use>(v, std::span<const bound>(items.begin(), items.size()), preamble);
 }
 
 }  // namespace umbrage::glsl
@@ -19565,7 +20193,7 @@ namespace umbrage::hlsl {
 
 namespace detail {
 
-inline constexpr glsl::detail::near_language near{.name = "hlsl",
+inline constexpr glsl::detail::near_language akin{.name = "hlsl",
                                                   .own = &glsl::detail::word::hlsl,
                                                   .precise = "precise",
                                                   .function = "",
@@ -19656,7 +20284,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
     .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(near, s.source.str()).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
     }};
 
 }  // namespace detail
@@ -19698,7 +20326,7 @@ inline constexpr literal prelude =
 
 namespace detail {
 
-inline constexpr glsl::detail::near_language near{.name = "msl",
+inline constexpr glsl::detail::near_language akin{.name = "msl",
                                                   .own = &glsl::detail::word::msl,
                                                   .precise = "",
                                                   .function = "inline ",
@@ -19797,7 +20425,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
     .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(near, s.source.str()).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
     }};
 
 }  // namespace detail
@@ -19833,11 +20461,11 @@ namespace umbrage {
 /// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, a fault
 /// @return        UNORM values
 /// @formula       e_i = fract(255^i depth), each less 1/255 of the next
-/// @exactness     B
+/// @exactness     B, n = 6
 /// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_base255(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<4, T> write_base255(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     const T x = v - std::floor(v);
     const T y = v * T(255) - std::floor(v * T(255));
     const T z = v * T(65025) - std::floor(v * T(65025));
@@ -19848,7 +20476,7 @@ template <real T>
 
 /// @param c      as sampled
 /// @formula      R + G/255 + B/255^2 + A/255^3
-/// @exactness    B
+/// @exactness    B, n = 6
 template <real T>
 [[nodiscard]] constexpr T decode_base255(glm::vec<4, T> c) {
     return c.x + c.y * T(1.0 / 255.0) + c.z * T(1.0 / 65025.0) + c.w * T(1.0 / 16581375.0);
@@ -19856,10 +20484,10 @@ template <real T>
 
 /// A writer without the faults, for decode_base255 on the other side: the digits of depth in base 255.
 /// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
-/// @exactness     B
+/// @exactness     B, n = 7
 template <real T>
-[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T far = T(1)) {
-    T rest = saturate(depth, far) * T(255);
+[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T cleared = T(1)) {
+    T rest = saturate(depth, cleared) * T(255);
     glm::u8vec4 digits(0);
     for (glm::length_t i = 0; i < 4; ++i) {
         const T digit = std::floor(rest);
@@ -19875,6 +20503,7 @@ inline constexpr snippet write_base255{
     .name = "write_base255",
     .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
     .exactness = tier::b,
+    .operations = 6,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
@@ -19894,6 +20523,7 @@ inline constexpr snippet decode_base255{
     .name = "decode_base255",
     .summary = "base-255 RGBA to depth",
     .exactness = tier::b,
+    .operations = 6,
     .source = R"GLSL(
 // umbrage_decode_base255: base-255 RGBA, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
@@ -19908,6 +20538,7 @@ inline constexpr snippet encode_base255_repaired{
     .name = "encode_base255_repaired",
     .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
     .exactness = tier::b,
+    .operations = 7,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
@@ -19992,11 +20623,11 @@ namespace umbrage {
 /// Three whole bytes, R most significant, and the fraction that is left in A.
 /// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed; 1 gives all ones
 /// @return        UNORM values
-/// @exactness     B
+/// @exactness     B, n = 5
 /// @cite          three.js r167 and later, packing chunk (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     if (!(v < T(1))) return glm::vec<4, T>(1);
     const T x = v * T(16777216);
     const T whole = std::floor(x);
@@ -20008,7 +20639,7 @@ template <real T>
 
 /// @param c      as sampled
 /// @formula      255/256 (R + G/2^8 + B/2^16) + A/2^24
-/// @exactness    B
+/// @exactness    B, n = 7
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_rgba(glm::vec<4, T> c) {
     return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
@@ -20016,8 +20647,8 @@ template <real T>
 
 /// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
 template <real T>
-[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     if (!(v < T(1))) return glm::vec<3, T>(1);
     const T x = v * T(65536);
     const T whole = std::floor(x);
@@ -20033,8 +20664,8 @@ template <real T>
 
 /// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
 template <real T>
-[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     if (!(v < T(1))) return glm::vec<2, T>(1);
     const T x = v * T(256);
     const T whole = std::floor(x);
@@ -20053,6 +20684,7 @@ inline constexpr snippet write_threejs_rgba{
     .name = "write_threejs_rgba",
     .summary = "depth to three.js RGBA, r167 and later",
     .exactness = tier::b,
+    .operations = 5,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
@@ -20074,6 +20706,7 @@ inline constexpr snippet decode_threejs_rgba{
     .name = "decode_threejs_rgba",
     .summary = "three.js RGBA, r167 and later, to depth",
     .exactness = tier::b,
+    .operations = 7,
     .source = R"GLSL(
 // umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
@@ -20088,6 +20721,7 @@ inline constexpr snippet write_threejs_rgb{
     .name = "write_threejs_rgb",
     .summary = "depth to three.js RGB, r167 and later",
     .exactness = tier::b,
+    .operations = 3,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
@@ -20106,6 +20740,7 @@ inline constexpr snippet decode_threejs_rgb{
     .name = "decode_threejs_rgb",
     .summary = "three.js RGB, r167 and later, to depth",
     .exactness = tier::b,
+    .operations = 5,
     .source = R"GLSL(
 // umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
@@ -20120,6 +20755,7 @@ inline constexpr snippet write_threejs_rg{
     .name = "write_threejs_rg",
     .summary = "depth to three.js RG, r167 and later",
     .exactness = tier::b,
+    .operations = 1,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
@@ -20136,6 +20772,7 @@ inline constexpr snippet decode_threejs_rg{
     .name = "decode_threejs_rg",
     .summary = "three.js RG, r167 and later, to depth",
     .exactness = tier::b,
+    .operations = 3,
     .source = R"GLSL(
 // umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
@@ -20238,11 +20875,11 @@ namespace umbrage {
 
 /// The layout of r73 to r166: A most significant, channels scaled by 256/255.
 /// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
-/// @exactness     B
+/// @exactness     B, n = 7
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     const T x = v * T(16777216) - std::floor(v * T(16777216));
     const T y = v * T(65536) - std::floor(v * T(65536));
     const T z = v * T(256) - std::floor(v * T(256));
@@ -20261,8 +20898,8 @@ template <real T>
 /// @return        integer channels 0..255 (to_unorm writes them), A most significant
 /// @exactness     A
 template <real T>
-[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth, T far = T(1)) {
-    const T v = saturate(depth, far);
+[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth, T cleared = T(1)) {
+    const T v = saturate(depth, cleared);
     if (!(v < T(1))) return glm::u8vec4(255);
     const std::uint32_t x = to_code<24>(v);
     return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
@@ -20275,6 +20912,7 @@ inline constexpr snippet write_threejs_legacy{
     .name = "write_threejs_legacy",
     .summary = "depth to three.js RGBA, r73 to r166",
     .exactness = tier::b,
+    .operations = 7,
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
@@ -20294,6 +20932,7 @@ inline constexpr snippet decode_threejs_legacy{
     .name = "decode_threejs_legacy",
     .summary = "three.js RGBA, r73 to r166, to depth",
     .exactness = tier::b,
+    .operations = 7,
     .source = R"GLSL(
 // umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
@@ -20318,7 +20957,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
+    UMBRAGE_HIGHP float low = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    return v < 1.0 ? vec4(0.0, low, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
 )GLSL",
 };
@@ -20413,7 +21053,7 @@ namespace umbrage {
 /// @param c      the two channels of encode_rg<11> as sampled, k / 255
 /// @return       x / 2040, in [0, 2047 / 2040]
 /// @formula      r / 8 + g
-/// @exactness    B: one rounded addition
+/// @exactness    B, n = 4: one rounded addition
 /// @cite         ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
 template <real T>
 [[nodiscard]] constexpr T decode_ps14(glm::vec<2, T> c) {
@@ -20423,7 +21063,7 @@ template <real T>
 /// A depth on the scale of decode_ps14, for less_equal_scaled.
 /// @param depth   not clamped; beyond the far plane: -1, which every texel lights
 /// @formula       depth > 1 ? -1 : depth * 256 / 255
-/// @exactness     B: one product with the rounded quotient
+/// @exactness     B, n = 1: one product with the rounded quotient
 template <real T>
 [[nodiscard]] constexpr T receiver_ps14(T depth) {
     return less_equal::beyond_far(depth) ? T(-1) : depth * T(256.0 / 255.0);
@@ -20435,6 +21075,7 @@ inline constexpr snippet decode_ps14{
     .name = "decode_ps14",
     .summary = "r / 8 + g as the Radeon 8500 computed it",
     .exactness = tier::b,
+    .operations = 4,
     .scaled = true,
     .source = R"GLSL(
 // umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
@@ -20449,6 +21090,7 @@ inline constexpr snippet receiver_ps14{
     .name = "receiver_ps14",
     .summary = "receiver on the scale of decode_ps14",
     .exactness = tier::b,
+    .operations = 1,
     .source = R"GLSL(
 // umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
 //   lights

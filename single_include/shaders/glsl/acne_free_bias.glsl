@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: acne_free_bias
+// umbrage 0.1.0, acne_free_bias: smallest bias without acne, for a slope, a reach and an encoding's error. Exactness:
+//   tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: beyond_far
+// umbrage 0.1.0, beyond_far: receivers behind the far plane. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

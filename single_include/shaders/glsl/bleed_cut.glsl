@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: bleed_cut
+// umbrage 0.1.0, bleed_cut: visibility without its least values. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

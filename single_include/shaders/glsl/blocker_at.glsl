@@ -1,4 +1,16 @@
-// umbrage 0.1.0, MIT License: blocker_at
+// umbrage 0.1.0, blocker_at: whether what a point of the map holds lies before a receiver, and its depth. Exactness:
+//   tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
+//   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,15 @@
-// umbrage 0.1.0, MIT License: blockers32
+// umbrage 0.1.0, blockers32: texels under a disc's points that lie before a receiver. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
+//   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -24,7 +35,7 @@ UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP v
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
-    UMBRAGE_HIGHP vec2 within = at - texel;
+    UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
     UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;

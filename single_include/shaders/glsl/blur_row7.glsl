@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: blur_row7
+// umbrage 0.1.0, blur_row7: mean of texels in a row. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,12 @@
-// umbrage 0.1.0, MIT License: bounds_lit
+// umbrage 0.1.0, bounds_lit: visibility where bounds of a filter's texels suffice. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
+//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: box_scale
+// umbrage 0.1.0, box_scale: 1 / (2r+1)^2. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

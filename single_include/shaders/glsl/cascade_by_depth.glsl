@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cascade_by_depth
+// umbrage 0.1.0, cascade_by_depth: cascade that a view depth falls into. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cascade_by_projection
+// umbrage 0.1.0, cascade_by_projection: first cascade that holds a point and its filter. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cascade_tile
+// umbrage 0.1.0, cascade_tile: first texel of a cascade in an atlas. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

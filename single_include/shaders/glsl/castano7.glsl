@@ -1,4 +1,16 @@
-// umbrage 0.1.0, MIT License: castano7
+// umbrage 0.1.0, castano7: sliding window 1 5 12 16 12 5 1. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
+//   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
+//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -172,7 +184,7 @@ UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
@@ -182,7 +194,7 @@ UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     UMBRAGE_HIGHP vec2 w5 = floor(r * k1 + s * k2);
     UMBRAGE_HIGHP vec2 w6 = floor(r * k0 + s * k1);
     UMBRAGE_HIGHP vec2 w7 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    UMBRAGE_HIGHP vec2 w3 = max(whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7), vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 first = texel - 3.0;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);

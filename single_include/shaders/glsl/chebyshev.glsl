@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: chebyshev
+// umbrage 0.1.0, chebyshev: most that mean and variance let be lit. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

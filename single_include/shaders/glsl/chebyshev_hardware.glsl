@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: chebyshev_hardware
+// umbrage 0.1.0, chebyshev_hardware: most that a variance lets be lit, less the light that bleeds. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: clamp_slope
+// umbrage 0.1.0, clamp_slope: clamp of a slope to [-2, 2], NaN to 2. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: compare
+// umbrage 0.1.0, compare: one comparison. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cube_atlas_texel
+// umbrage 0.1.0, cube_atlas_texel: face that a texel of an atlas belongs to, and where on it. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cube_direction
+// umbrage 0.1.0, cube_direction: direction to a point of a cube's face. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

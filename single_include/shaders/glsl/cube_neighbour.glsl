@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cube_neighbour
+// umbrage 0.1.0, cube_neighbour: texel beyond an edge of a cube's face. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

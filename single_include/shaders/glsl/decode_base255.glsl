@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: decode_base255
+// umbrage 0.1.0, decode_base255: base-255 RGBA to depth. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of base255: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 0, 0, 0) / 255, with
+//   reversed depth to (0, 0, 0, 0) / 255. Write umbrage_write_base255.
+// Render target of base255_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 0, 0, 0) / 255,
+//   with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_base255_repaired.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

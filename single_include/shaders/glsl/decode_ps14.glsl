@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_ps14
+// umbrage 0.1.0, decode_ps14: r / 8 + g as the Radeon 8500 computed it. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -15,16 +17,19 @@
 #endif
 #endif
 
-// depths here are on a scale of their own, on which 1.0 is not the far plane
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
-
 #ifndef UMBRAGE_HAS_DECODE_PS14
 #define UMBRAGE_HAS_DECODE_PS14
 // umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
 //   1.0 is not the far plane on this scale
 UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
     return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return false;
 }
 #endif

@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: decode_rgb24
+// umbrage 0.1.0, decode_rgb24: three channels, R most significant, to depth. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rgb24: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
+//   reversed depth to (0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rgb24.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: depth_from_ndc
+// umbrage 0.1.0, depth_from_ndc: z/w in [-1, 1] to depth in [0, 1]. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: detachment
+// umbrage 0.1.0, detachment: depth before a receiver within which its bias loses a caster's shadow. Exactness: tier
+//   B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: disc_radius
+// umbrage 0.1.0, disc_radius: radius of a disc, down to 1/16 texel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

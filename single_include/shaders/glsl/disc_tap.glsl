@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: disc_tap
+// umbrage 0.1.0, disc_tap: the texel that a point of a disc falls on. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -24,7 +26,7 @@ UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP v
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
-    UMBRAGE_HIGHP vec2 within = at - texel;
+    UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
     UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;

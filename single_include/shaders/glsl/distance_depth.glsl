@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: distance_depth
+// umbrage 0.1.0, distance_depth: distance to the light over its range. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: encode_deviation
+// umbrage 0.1.0, encode_deviation: depth's two moments to mean and deviation. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: encode_esm
+// umbrage 0.1.0, encode_esm: depth to a texel of an exponential shadow map. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of esm: R32F, not sRGB, no blending, one sample. Clear to umbrage_encode_esm of the far plane's
+//   depth.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: encode_evsm2
+// umbrage 0.1.0, encode_evsm2: depth to a texel of two components. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of evsm2: RG32F, not sRGB, no blending, one sample. Clear to umbrage_encode_evsm2 of the far plane's
+//   depth.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: encode_float_bits
+// umbrage 0.1.0, encode_float_bits: any float's bit pattern to four channels, R least significant. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of float_bits: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (0, 0, 128, 63) / 255, with
+//   reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_float_bits.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: encode_rg10
+// umbrage 0.1.0, encode_rg10: depth to two channels, R the low byte. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rg10: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 192) / 255, with reversed depth
+//   to (0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rg10.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: encode_rg12_table
+// umbrage 0.1.0, encode_rg12_table: depth to two channels through a look-up texture. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: encode_rgb24
+// umbrage 0.1.0, encode_rgb24: depth to three channels, R most significant. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rgb24: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
+//   reversed depth to (0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rgb24.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -45,6 +51,6 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec3(high, middle, rest - middle * 256.0);
+    return vec3(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
 }
 #endif

@@ -1,4 +1,12 @@
-// umbrage 0.1.0, MIT License: encode_threejs_legacy_repaired
+// umbrage 0.1.0, encode_threejs_legacy_repaired: depth for readers of three.js RGBA, r73 to r166, 1.0 repaired.
+//   Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_legacy_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255,
+//   255) / 255, with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of
+//   umbrage_encode_threejs_legacy_repaired.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -46,6 +54,7 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
+    UMBRAGE_HIGHP float low = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    return v < 1.0 ? vec4(0.0, low, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
 #endif

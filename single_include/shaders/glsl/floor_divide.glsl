@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: floor_divide
+// umbrage 0.1.0, floor_divide: whole numbers divided and rounded down, whatever the division's error. Exactness: tier
+//   A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: halve_texels
+// umbrage 0.1.0, halve_texels: mean of 2x2 texels. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

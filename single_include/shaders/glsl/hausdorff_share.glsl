@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: hausdorff_share
+// umbrage 0.1.0, hausdorff_share: least share of depths before a receiver, of depths on [-1, 1]. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: inside_map
+// umbrage 0.1.0, inside_map: whether a texel is one of the map's. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

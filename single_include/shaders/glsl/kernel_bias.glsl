@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: kernel_bias
+// umbrage 0.1.0, kernel_bias: bias by the kernel's width and the angle at which light falls. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: level_rg15
+// umbrage 0.1.0, level_rg15: two channels to a level to compare with. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -15,16 +17,19 @@
 #endif
 #endif
 
-// depths here are on a scale of their own, on which 1.0 is not the far plane
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
-
 #ifndef UMBRAGE_HAS_LEVEL_RG15
 #define UMBRAGE_HAS_LEVEL_RG15
 // umbrage_level_rg15: two channels of a 15-bit code, as sampled, to the scale of umbrage_receiver_rg15, on which 1.0 is
 //   not the far plane
 UMBRAGE_HIGHP float umbrage_level_rg15(UMBRAGE_HIGHP vec2 c) {
     return c.x + c.y * 128.0;  // an exact product: fused or not, it rounds once
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return false;
 }
 #endif

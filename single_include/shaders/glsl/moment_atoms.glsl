@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: moment_atoms
+// umbrage 0.1.0, moment_atoms: the two depths that make four moments beside a receiver's. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

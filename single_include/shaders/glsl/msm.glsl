@@ -1,4 +1,13 @@
-// umbrage 0.1.0, MIT License: msm
+// umbrage 0.1.0, msm: visibility from a map of encode_msm's texels. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
+// Render target of msm: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far plane's
+//   depth.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -117,16 +126,17 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
     UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
     UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
-    return sum * (1.0 / 65536.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 mean = low * lo.y + high * hi.y;
+    return mean;
 }
 #endif
 

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: normal_offset
+// umbrage 0.1.0, normal_offset: way off a surface to the point that is looked up in its place. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: overlay_texel
+// umbrage 0.1.0, overlay_texel: which texel of a map stretched over the picture's corner a pixel shows, along one
+//   side. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: page_coordinate
+// umbrage 0.1.0, page_coordinate: a receiver in the page of an atlas that holds it. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -56,12 +61,16 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
 //   page, gutter  side of a page and what it has around it, texels
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
-    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    // not negative already; compilers cannot regroup sums across max and clamp
+    UMBRAGE_HIGHP vec2 sides = max(size - 2.0, vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 before = max(size - 3.0, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * sides - before), size - 1.0);
     UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // of a NaN the first
-    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, vec2(texel));
-    UMBRAGE_HIGHP vec2 slot = umbrage_from_unorm(vec2(entry.x, entry.y));
-    UMBRAGE_HIGHP float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    UMBRAGE_HIGHP vec2 at = fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
+    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, vec2(texel)));
+    UMBRAGE_HIGHP vec2 slot = vec2(entry.x, entry.y);
+    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec2 within = clamp(fract(coord * across), vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
     return vec4(at, slot * (page + gutter * 2.0));
 }
 #endif

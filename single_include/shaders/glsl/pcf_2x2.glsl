@@ -1,4 +1,16 @@
-// umbrage 0.1.0, MIT License: pcf_2x2
+// umbrage 0.1.0, pcf_2x2: bilinear 2x2, weights in steps of 1/256. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
+//   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
+//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -169,11 +181,11 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
-    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
+    UMBRAGE_HIGHP float visibility = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return compared ? visibility : 1.0;
 }
 #endif

@@ -1,4 +1,16 @@
-// umbrage 0.1.0, MIT License: quadratic_b_spline
+// umbrage 0.1.0, quadratic_b_spline: quadratic B-spline of 3 x 3 texels. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
+//   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
+//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -169,11 +181,12 @@ UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
     UMBRAGE_HIGHP vec2 r = 256.0 - s;
     UMBRAGE_HIGHP vec2 w0 = floor(r * r * (1.0 / 32.0));
     UMBRAGE_HIGHP vec2 w2 = floor(s * s * (1.0 / 32.0));
-    UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
+    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
     UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: receiver_rg11
+// umbrage 0.1.0, receiver_rg11: receiver to a level, for maps that are not decoded. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

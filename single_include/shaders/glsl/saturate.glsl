@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: saturate
+// umbrage 0.1.0, saturate: clamp to [0, 1], NaN to far. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

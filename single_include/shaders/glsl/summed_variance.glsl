@@ -1,4 +1,12 @@
-// umbrage 0.1.0, MIT License: summed_variance
+// umbrage 0.1.0, summed_variance: variance shadow over a box of any size, from a summed-area table. Exactness: tier
+//   C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -110,16 +118,17 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
     UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
     UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
     UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
-    low = low - carry * 65536.0;
-    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));  // or a compiler distributes
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, vec2(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
-    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP vec2 sides = max(end - first, vec2(1.0, 1.0));
     UMBRAGE_HIGHP float n = sides.x * sides.y;
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(sum, n);
-    UMBRAGE_HIGHP float rest = sum - mean * n;
+    UMBRAGE_HIGHP float rest = max(sum - mean * n, 0.0);
     UMBRAGE_HIGHP vec2 digits = vec2(sum + rest, low.y);
     UMBRAGE_HIGHP vec2 high = floor(digits * (1.0 / 4096.0));
-    digits = digits - high * 4096.0;
+    digits = max(digits - high * 4096.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float below = digits.y - mean * digits.x;
     UMBRAGE_HIGHP float borrow = floor(below * (1.0 / 4096.0));
     UMBRAGE_HIGHP float wide = above.y * 16.0 + high.y - mean * high.x + borrow;

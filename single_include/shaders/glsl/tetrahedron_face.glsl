@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: tetrahedron_face
+// umbrage 0.1.0, tetrahedron_face: face of a tetrahedron that a direction meets. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

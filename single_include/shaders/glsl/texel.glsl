@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: texel
+// umbrage 0.1.0, texel: texel inside a map. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

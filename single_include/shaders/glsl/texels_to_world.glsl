@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: texels_to_world
+// umbrage 0.1.0, texels_to_world: texels across a light as world units. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

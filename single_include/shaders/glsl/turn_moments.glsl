@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: turn_moments
+// umbrage 0.1.0, turn_moments: four moments to four channels of 16 bits. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of msm_turned: RGBA16 UNORM, not sRGB, no blending, one sample. Clear to umbrage_turn_moments of
+//   umbrage_encode_msm of the far plane's depth.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: warp_depth
+// umbrage 0.1.0, warp_depth: depth on the scale of exponential shadow maps. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

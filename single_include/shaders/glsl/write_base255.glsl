@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: write_base255
+// umbrage 0.1.0, write_base255: depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of base255: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 0, 0, 0) / 255, with
+//   reversed depth to (0, 0, 0, 0) / 255. Write umbrage_write_base255.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: before_far
+// umbrage 0.1.0, before_far: receivers up to the far plane, NaN is none. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_BEFORE_FAR
 #define UMBRAGE_HAS_BEFORE_FAR

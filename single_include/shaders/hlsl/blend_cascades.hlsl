@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: blend_cascades
+// umbrage 0.1.0, blend_cascades: two cascades' visibilities, mixed. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_BLEND_CASCADES
 #define UMBRAGE_HAS_BLEND_CASCADES

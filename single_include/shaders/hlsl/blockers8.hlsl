@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: blockers8
+// umbrage 0.1.0, blockers8: texels under a disc's points that lie before a receiver. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
@@ -8,7 +13,7 @@
 float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
-    float2 within = at - texel;
+    float2 within = clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
     float2 scaled = turn * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;

@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: blockers_hardware8
+// umbrage 0.1.0, blockers_hardware8: what lies before a receiver at 8 points of a disc, by a sampler of the nearest
+//   texel. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE

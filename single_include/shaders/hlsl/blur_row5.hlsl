@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: blur_row5
+// umbrage 0.1.0, blur_row5: mean of texels in a row. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: bounds_lit
+// umbrage 0.1.0, bounds_lit: visibility where bounds of a filter's texels suffice. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE

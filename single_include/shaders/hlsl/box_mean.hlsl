@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: box_mean
+// umbrage 0.1.0, box_mean: mean of four whole numbers over a box, from a summed-area table in two halves. Exactness:
+//   tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL

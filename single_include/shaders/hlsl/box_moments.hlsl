@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: box_moments
+// umbrage 0.1.0, box_moments: mean and squared distances from it over a box, from a summed-area table. Exactness:
+//   tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #ifndef UMBRAGE_HAS_MEND_QUOTIENT
 #define UMBRAGE_HAS_MEND_QUOTIENT
@@ -39,16 +43,17 @@ float4 umbrage_box_moments(Texture2D<float4> map, float2 size, float2 first, flo
     float2 low = float2(part.x, part.z);
     float2 carry = floor(low * (1.0 / 65536.0));
     float2 above = float2(part.y, part.w) + carry;
-    low = low - carry * 65536.0;
-    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));  // or a compiler distributes
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, float2(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));
     float sum = above.x * 65536.0 + low.x;
-    float2 sides = end - first;
+    float2 sides = max(end - first, float2(1.0, 1.0));
     float n = sides.x * sides.y;
     float mean = umbrage_floor_divide(sum, n);
-    float rest = sum - mean * n;
+    float rest = max(sum - mean * n, 0.0);
     float2 digits = float2(sum + rest, low.y);
     float2 high = floor(digits * (1.0 / 4096.0));
-    digits = digits - high * 4096.0;
+    digits = max(digits - high * 4096.0, float2(0.0, 0.0));
     float below = digits.y - mean * digits.x;
     float borrow = floor(below * (1.0 / 4096.0));
     float wide = above.y * 16.0 + high.y - mean * high.x + borrow;

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cascade_column
+// umbrage 0.1.0, cascade_column: one of four columns, without an index. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CASCADE_COLUMN
 #define UMBRAGE_HAS_CASCADE_COLUMN

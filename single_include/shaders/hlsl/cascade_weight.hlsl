@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cascade_weight
+// umbrage 0.1.0, cascade_weight: a weight in steps of 1/256. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CASCADE_WEIGHT
 #define UMBRAGE_HAS_CASCADE_WEIGHT

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: clamp_bias
+// umbrage 0.1.0, clamp_bias: clamp of a bias to [0, 1], NaN to 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CLAMP_BIAS
 #define UMBRAGE_HAS_CLAMP_BIAS

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: compare
+// umbrage 0.1.0, compare: one comparison. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: compare_dx_sdk
+// umbrage 0.1.0, compare_dx_sdk: stored + epsilon < receiver is shadow. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_COMPARE_DX_SDK
 #define UMBRAGE_HAS_COMPARE_DX_SDK

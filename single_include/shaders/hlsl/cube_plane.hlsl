@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cube_plane
+// umbrage 0.1.0, cube_plane: a direction in its face's axes. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CUBE_FACE
 #define UMBRAGE_HAS_CUBE_FACE

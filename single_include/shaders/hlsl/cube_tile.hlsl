@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cube_tile
+// umbrage 0.1.0, cube_tile: first texel of a face in an atlas. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CUBE_TILE
 #define UMBRAGE_HAS_CUBE_TILE

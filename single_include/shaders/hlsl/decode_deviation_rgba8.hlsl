@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: decode_deviation_rgba8
+// umbrage 0.1.0, decode_deviation_rgba8: mean and deviation in four channels to depth's two moments. Exactness: tier
+//   B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_DECODE_DEVIATION
 #define UMBRAGE_HAS_DECODE_DEVIATION

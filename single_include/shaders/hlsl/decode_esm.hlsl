@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_esm
+// umbrage 0.1.0, decode_esm: mean of texels of an exponential shadow map to visibility. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO

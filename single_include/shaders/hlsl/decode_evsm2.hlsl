@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_evsm2
+// umbrage 0.1.0, decode_evsm2: mean of texels of two components to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV
 #define UMBRAGE_HAS_CHEBYSHEV

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: decode_evsm2_hardware
+// umbrage 0.1.0, decode_evsm2_hardware: mean of texels of two components to visibility, by the GPU's own exp2.
+//   Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV_HARDWARE
 #define UMBRAGE_HAS_CHEBYSHEV_HARDWARE

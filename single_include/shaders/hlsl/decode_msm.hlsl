@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_msm
+// umbrage 0.1.0, decode_msm: mean of four moments to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_BIAS_MOMENTS
 #define UMBRAGE_HAS_BIAS_MOMENTS

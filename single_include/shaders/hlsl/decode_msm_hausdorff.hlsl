@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_msm_hausdorff
+// umbrage 0.1.0, decode_msm_hausdorff: mean of four moments of depths on [-1, 1] to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_BIAS_MOMENTS
 #define UMBRAGE_HAS_BIAS_MOMENTS

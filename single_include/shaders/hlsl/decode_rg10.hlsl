@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: decode_rg10
+// umbrage 0.1.0, decode_rg10: two channels, R the low byte, to depth. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rg10: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 192) / 255, with reversed depth
+//   to (0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rg10.
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM

@@ -1,4 +1,11 @@
-// umbrage 0.1.0, MIT License: decode_threejs_legacy
+// umbrage 0.1.0, decode_threejs_legacy: three.js RGBA, r73 to r166, to depth. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_legacy: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255, 255) /
+//   255, with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_write_threejs_legacy.
+// Render target of threejs_legacy_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255,
+//   255) / 255, with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of
+//   umbrage_encode_threejs_legacy_repaired.
 
 #ifndef UMBRAGE_HAS_DECODE_THREEJS_LEGACY
 #define UMBRAGE_HAS_DECODE_THREEJS_LEGACY

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_vsm
+// umbrage 0.1.0, decode_vsm: mean of texels of a variance shadow map to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV
 #define UMBRAGE_HAS_CHEBYSHEV

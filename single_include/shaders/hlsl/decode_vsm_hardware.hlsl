@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_vsm_hardware
+// umbrage 0.1.0, decode_vsm_hardware: mean and deviation to visibility, the cheapest way. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV_HARDWARE
 #define UMBRAGE_HAS_CHEBYSHEV_HARDWARE

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: disc_turn
+// umbrage 0.1.0, disc_turn: one of 16 turns for a pixel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE

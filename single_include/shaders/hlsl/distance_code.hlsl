@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: distance_code
+// umbrage 0.1.0, distance_code: a depth as 16 bits of distance from the near plane. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH

@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: dpcf32
+// umbrage 0.1.0, dpcf32: contact hardening by 32 points. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -27,7 +32,7 @@ float umbrage_penumbra(float apart, float3 softness) {
 float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
-    float2 within = at - texel;
+    float2 within = clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
     float2 scaled = turn * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;
@@ -58,7 +63,7 @@ float umbrage_floor_divide(float a, float b) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 float umbrage_hardened32(float blocked, float ratio) {
     float u = blocked * 2.0 - 32.0;
-    float d = 32.0 - abs(u);
+    float d = max(32.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
     float steep = 32768.0 - d * d * d;
     float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
@@ -210,6 +215,6 @@ float umbrage_dpcf32(Texture2D<float4> map, float2 size, float2 coord, float rec
     float radius = umbrage_penumbra(z - mean, softness);
     float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     float dark = umbrage_hardened32(found.x, ratio);
-    return compared ? 1.0 - dark : 1.0;
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 #endif

@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: encode_rgb24
+// umbrage 0.1.0, encode_rgb24: depth to three channels, R most significant. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rgb24: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
+//   reversed depth to (0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rgb24.
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH
@@ -26,6 +30,6 @@ float3 umbrage_encode_rgb24(float depth) {
     float high = floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = floor(rest * (1.0 / 256.0));
-    return float3(high, middle, rest - middle * 256.0);
+    return float3(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
 }
 #endif

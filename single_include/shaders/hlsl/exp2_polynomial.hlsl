@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: exp2_polynomial
+// umbrage 0.1.0, exp2_polynomial: 2^y to 1.8e-7 of it. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: fetch_clamped
+// umbrage 0.1.0, fetch_clamped: texel of a map, outside the nearest one inside. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL

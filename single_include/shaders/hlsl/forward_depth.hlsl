@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: forward_depth
+// umbrage 0.1.0, forward_depth: depth that grows with distance. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: from_unorm
+// umbrage 0.1.0, from_unorm: value read from an 8-bit texture to channel 0..255. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: is_compared
+// umbrage 0.1.0, is_compared: receivers that a filter compares; it takes the others as lit. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: linear_depth
+// umbrage 0.1.0, linear_depth: view-space z over z_far. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_LINEAR_DEPTH
 #define UMBRAGE_HAS_LINEAR_DEPTH

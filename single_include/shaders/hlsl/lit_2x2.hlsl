@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: lit_2x2
+// umbrage 0.1.0, lit_2x2: comparisons with the 2x2 texels from one on. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: mend_quotient
+// umbrage 0.1.0, mend_quotient: a quotient of whole numbers, from one at most one off. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_MEND_QUOTIENT
 #define UMBRAGE_HAS_MEND_QUOTIENT

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: on_receiver_plane
+// umbrage 0.1.0, on_receiver_plane: stored depth moved along the receiver's plane to the receiver. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH

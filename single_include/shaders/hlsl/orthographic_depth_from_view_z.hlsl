@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: orthographic_depth_from_view_z
+// umbrage 0.1.0, orthographic_depth_from_view_z: view-space z to orthographic depth. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_ORTHOGRAPHIC_DEPTH_FROM_VIEW_Z
 #define UMBRAGE_HAS_ORTHOGRAPHIC_DEPTH_FROM_VIEW_Z

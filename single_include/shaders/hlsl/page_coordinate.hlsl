@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: page_coordinate
+// umbrage 0.1.0, page_coordinate: a receiver in the page of an atlas that holds it. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM
@@ -31,12 +34,16 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 //   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 float4 umbrage_page_coordinate(Texture2D<float4> table, float2 size, float2 coord, float page, float gutter) {
-    float2 cell = min(max(float2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    // not negative already; compilers cannot regroup sums across max and clamp
+    float2 sides = max(size - 2.0, float2(1.0, 1.0));
+    float2 before = max(size - 3.0, float2(0.0, 0.0));
+    float2 cell = min(max(float2(0.0, 0.0), coord * sides - before), size - 1.0);
     int2 texel = (int2)cell;  // of a NaN the first
-    float4 entry = umbrage_texel(table, size, (float2)texel);
-    float2 slot = umbrage_from_unorm(float2(entry.x, entry.y));
-    float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    float2 at = frac(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
+    float4 entry = umbrage_from_unorm(umbrage_texel(table, size, (float2)texel));
+    float2 slot = float2(entry.x, entry.y);
+    float across = entry.z + entry.w * 256.0;
+    float2 within = clamp(frac(coord * across), float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
     return float4(at, slot * (page + gutter * 2.0));
 }
 #endif

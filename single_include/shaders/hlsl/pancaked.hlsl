@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: pancaked
+// umbrage 0.1.0, pancaked: casters before the near plane, onto it. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_PANCAKED
 #define UMBRAGE_HAS_PANCAKED

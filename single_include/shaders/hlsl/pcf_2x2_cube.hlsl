@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: pcf_2x2_cube
+// umbrage 0.1.0, pcf_2x2_cube: 2 x 2 comparisons of a cube, over its edges too, bilinear weights. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -157,8 +162,9 @@ float umbrage_pcf_2x2_cube(Texture2D<float4> map, float2 size, float3 at, float 
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float2 sum = umbrage_cube_lit(map, size, float3(texel, at.z), receiver) * (lo.x * lo.y);
     sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
     sum += umbrage_cube_lit(map, size, float3(texel + float2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);

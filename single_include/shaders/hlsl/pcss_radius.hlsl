@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: pcss_radius
+// umbrage 0.1.0, pcss_radius: radius of a penumbra from the mean depth of blockers. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: saturate
+// umbrage 0.1.0, saturate: clamp to [0, 1], NaN to far. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: shadow_coordinate
+// umbrage 0.1.0, shadow_coordinate: world to texels and depth, before the division. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_SHADOW_COORDINATE
 #define UMBRAGE_HAS_SHADOW_COORDINATE

@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: tent2
+// umbrage 0.1.0, tent2: sliding window 1 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -95,11 +100,12 @@ float umbrage_tent2(Texture2D<float4> map, float2 size, float2 coord, float rece
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    float2 s = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
     float2 r = 256.0 - s;
     float2 w0 = r * 8.0;
     float2 w2 = s * 8.0;
-    float2 w1 = 4096.0 - w0 - w2;
+    float2 w1 = max(4096.0 - w0 - w2, float2(0.0, 0.0));
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: tetrahedron_face_of
+// umbrage 0.1.0, tetrahedron_face_of: face of a tetrahedron that a texel belongs to. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_FACE_OF
 #define UMBRAGE_HAS_TETRAHEDRON_FACE_OF

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: tetrahedron_plane
+// umbrage 0.1.0, tetrahedron_plane: a direction in its tetrahedron face's axes. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
 #define UMBRAGE_HAS_TETRAHEDRON_FACE

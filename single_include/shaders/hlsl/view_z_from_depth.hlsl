@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: view_z_from_depth
+// umbrage 0.1.0, view_z_from_depth: perspective depth to view-space z. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_VIEW_Z_FROM_DEPTH
 #define UMBRAGE_HAS_VIEW_Z_FROM_DEPTH

@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: window_hardware3
+// umbrage 0.1.0, window_hardware3: window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter.
+//   Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -103,11 +109,11 @@ float umbrage_pcf_2x2(Texture2D<float4> map, float2 size, float2 coord, float re
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float4 lit = umbrage_lit_2x2(map, size, texel, receiver);
-    float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    float visibility = sum * (1.0 / 65536.0);
+    float visibility = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return compared ? visibility : 1.0;
 }
 #endif

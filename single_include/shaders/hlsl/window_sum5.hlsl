@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: window_sum5
+// umbrage 0.1.0, window_sum5: weighted count of lit texels under a window of 5 x 5. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -98,7 +103,7 @@ float umbrage_window_sum5(Texture2D<float4> map, float2 size, float2 coord, floa
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 s = floor(clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 w0 = floor(r * k0);
@@ -106,7 +111,7 @@ float umbrage_window_sum5(Texture2D<float4> map, float2 size, float2 coord, floa
     float2 w3 = floor(r * k1 + s * k2);
     float2 w4 = floor(r * k0 + s * k1);
     float2 w5 = floor(s * k0);
-    float2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
+    float2 w2 = max(whole - (w0 + w1 + w3 + w4 + w5), float2(0.0, 0.0));
     float2 first = texel - 2.0;
     float n = 0.0;
     float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);

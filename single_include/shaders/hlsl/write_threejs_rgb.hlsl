@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: write_threejs_rgb
+// umbrage 0.1.0, write_threejs_rgb: depth to three.js RGB, r167 and later. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_rgb: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
+//   reversed depth to (0, 0, 0) / 255. Write umbrage_write_threejs_rgb.
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH

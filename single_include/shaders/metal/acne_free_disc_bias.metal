@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: acne_free_disc_bias
+// umbrage 0.1.0, acne_free_disc_bias: smallest bias without acne, for filters that read a disc. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: beyond_far
+// umbrage 0.1.0, beyond_far: receivers behind the far plane. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: bias_moments
+// umbrage 0.1.0, bias_moments: four moments, moved a little towards those of spread depths. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

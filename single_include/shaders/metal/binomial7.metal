@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: binomial7
+// umbrage 0.1.0, binomial7: sliding window 1 6 15 20 15 6 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -102,7 +107,7 @@ inline float umbrage_window_sum7(metal::texture2d<float> map, float2 size, float
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 s = metal::floor(metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     float2 w0 = metal::floor(r * k0);
@@ -112,7 +117,7 @@ inline float umbrage_window_sum7(metal::texture2d<float> map, float2 size, float
     float2 w5 = metal::floor(r * k1 + s * k2);
     float2 w6 = metal::floor(r * k0 + s * k1);
     float2 w7 = metal::floor(s * k0);
-    float2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    float2 w3 = metal::max(whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7), float2(0.0, 0.0));
     float2 first = texel - 3.0;
     float n = 0.0;
     float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: blur_row7
+// umbrage 0.1.0, blur_row7: mean of texels in a row. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

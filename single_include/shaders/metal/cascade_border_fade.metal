@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cascade_border_fade
+// umbrage 0.1.0, cascade_border_fade: weight of the next cascade, by distance from the border. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

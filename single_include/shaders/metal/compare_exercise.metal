@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: compare_exercise
+// umbrage 0.1.0, compare_exercise: current < stored + epsilon is lit. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: cube_atlas_direction
+// umbrage 0.1.0, cube_atlas_direction: direction that reads an atlas' texel from a texture of a cube. Exactness: tier
+//   A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_evsm4
+// umbrage 0.1.0, decode_evsm4: mean of texels of four components to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

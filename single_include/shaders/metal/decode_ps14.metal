@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_ps14
+// umbrage 0.1.0, decode_ps14: r / 8 + g as the Radeon 8500 computed it. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: decode_threejs_rg
+// umbrage 0.1.0, decode_threejs_rg: three.js RG, r167 and later, to depth. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_rg: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255) / 255, with reversed
+//   depth to (0, 0) / 255. Write umbrage_write_threejs_rg.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: depth_from_view_z
+// umbrage 0.1.0, depth_from_view_z: view-space z to perspective depth. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: diffuse_ambient
+// umbrage 0.1.0, diffuse_ambient: diffuse plus ambient light of a surface. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

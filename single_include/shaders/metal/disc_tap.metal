@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: disc_tap
+// umbrage 0.1.0, disc_tap: the texel that a point of a disc falls on. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -12,7 +14,7 @@
 inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = metal::floor(at);
-    float2 within = at - texel;
+    float2 within = metal::clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
     float2 scaled = turn * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: dither_threshold
+// umbrage 0.1.0, dither_threshold: one of 16 thresholds for a pixel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

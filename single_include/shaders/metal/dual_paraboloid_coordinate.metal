@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: dual_paraboloid_coordinate
+// umbrage 0.1.0, dual_paraboloid_coordinate: paraboloid map, and where in it, that sees a direction. Exactness: tier
+//   C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

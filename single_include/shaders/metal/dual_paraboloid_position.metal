@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: dual_paraboloid_position
+// umbrage 0.1.0, dual_paraboloid_position: a vertex of a paraboloid map's depth pass. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: encode_base255_repaired
+// umbrage 0.1.0, encode_base255_repaired: depth for readers of base-255 RGBA, 1.0 and truncation repaired. Exactness:
+//   tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of base255_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 0, 0, 0) / 255,
+//   with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_base255_repaired.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: encode_rg11_table
+// umbrage 0.1.0, encode_rg11_table: depth to two channels through a look-up texture. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

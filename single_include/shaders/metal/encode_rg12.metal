@@ -1,4 +1,8 @@
-// umbrage 0.1.0, MIT License: encode_rg12
+// umbrage 0.1.0, encode_rg12: depth to two channels, R the low byte. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rg12: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 240) / 255, with reversed depth
+//   to (0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rg12.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,10 @@
-// umbrage 0.1.0, MIT License: encode_threejs_legacy_repaired
+// umbrage 0.1.0, encode_threejs_legacy_repaired: depth for readers of three.js RGBA, r73 to r166, 1.0 repaired.
+//   Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_legacy_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255,
+//   255) / 255, with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of
+//   umbrage_encode_threejs_legacy_repaired.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -31,6 +37,7 @@ inline float4 umbrage_encode_threejs_legacy_repaired(float depth) {
     float high = metal::floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = metal::floor(rest * (1.0 / 256.0));
-    return v < 1.0 ? float4(0.0, rest - middle * 256.0, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
+    float low = metal::min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    return v < 1.0 ? float4(0.0, low, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
 }
 #endif

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: fetch_bilinear
+// umbrage 0.1.0, fetch_bilinear: mean of the four texels around a point. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -27,15 +30,16 @@ inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, fl
 inline float4 umbrage_fetch_bilinear(metal::texture2d<float> map, float2 size, float2 coord) {
     float2 x = metal::floor(coord * 256.0) - 128.0;
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
     float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
     float4 low = a * lo.x + b * hi.x;
     float4 high = c * lo.x + d * hi.x;
-    float4 sum = low * lo.y + high * hi.y;
-    return sum * (1.0 / 65536.0);
+    float4 mean = low * lo.y + high * hi.y;
+    return mean;
 }
 #endif

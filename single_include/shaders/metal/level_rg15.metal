@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: level_rg15
+// umbrage 0.1.0, level_rg15: two channels to a level to compare with. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

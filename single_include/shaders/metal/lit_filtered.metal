@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: lit_filtered
+// umbrage 0.1.0, lit_filtered: comparisons around a point, weighted. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -99,11 +104,11 @@ inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 co
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float4 lit = umbrage_lit_2x2(map, size, texel, receiver);
-    float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    float visibility = sum * (1.0 / 65536.0);
+    float visibility = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return compared ? visibility : 1.0;
 }
 #endif

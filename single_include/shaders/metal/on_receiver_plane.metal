@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: on_receiver_plane
+// umbrage 0.1.0, on_receiver_plane: stored depth moved along the receiver's plane to the receiver. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

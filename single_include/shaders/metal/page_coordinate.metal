@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: page_coordinate
+// umbrage 0.1.0, page_coordinate: a receiver in the page of an atlas that holds it. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -36,12 +39,16 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 //   page, gutter  side of a page and what it has around it, texels
 inline float4 umbrage_page_coordinate(metal::texture2d<float> table, float2 size, float2 coord, float page,
                                       float gutter) {
-    float2 cell = metal::min(metal::max(float2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    // not negative already; compilers cannot regroup sums across max and clamp
+    float2 sides = metal::max(size - 2.0, float2(1.0, 1.0));
+    float2 before = metal::max(size - 3.0, float2(0.0, 0.0));
+    float2 cell = metal::min(metal::max(float2(0.0, 0.0), coord * sides - before), size - 1.0);
     int2 texel = int2(cell);  // of a NaN the first
-    float4 entry = umbrage_texel(table, size, float2(texel));
-    float2 slot = umbrage_from_unorm(float2(entry.x, entry.y));
-    float across = metal::floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    float2 at = metal::fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
+    float4 entry = umbrage_from_unorm(umbrage_texel(table, size, float2(texel)));
+    float2 slot = float2(entry.x, entry.y);
+    float across = entry.z + entry.w * 256.0;
+    float2 within = metal::clamp(metal::fract(coord * across), float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
     return float4(at, slot * (page + gutter * 2.0));
 }
 #endif

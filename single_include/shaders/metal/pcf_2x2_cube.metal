@@ -1,4 +1,9 @@
-// umbrage 0.1.0, MIT License: pcf_2x2_cube
+// umbrage 0.1.0, pcf_2x2_cube: 2 x 2 comparisons of a cube, over its edges too, bilinear weights. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -161,8 +166,9 @@ inline float umbrage_pcf_2x2_cube(metal::texture2d<float> map, float2 size, floa
     bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 hi = x - texel * 256.0;
-    float2 lo = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
     float2 sum = umbrage_cube_lit(map, size, float3(texel, at.z), receiver) * (lo.x * lo.y);
     sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
     sum += umbrage_cube_lit(map, size, float3(texel + float2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: pcss_radius
+// umbrage 0.1.0, pcss_radius: radius of a penumbra from the mean depth of blockers. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: penumbra
+// umbrage 0.1.0, penumbra: radius of a penumbra from the distance between blocker and receiver. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: plane_slope
+// umbrage 0.1.0, plane_slope: change of a plane's depth from texel to texel. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

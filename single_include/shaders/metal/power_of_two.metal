@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: power_of_two
+// umbrage 0.1.0, power_of_two: 2^n of whole numbers -64 to 63. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: receiver_plane
+// umbrage 0.1.0, receiver_plane: slope of a receiver's plane from derivatives, and how far it may be off. Exactness:
+//   tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: receiver_rg12
+// umbrage 0.1.0, receiver_rg12: receiver to a level, for maps that are not decoded. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

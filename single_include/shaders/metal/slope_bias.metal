@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: slope_bias
+// umbrage 0.1.0, slope_bias: bias by the greater slope, as rasterizers have it. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

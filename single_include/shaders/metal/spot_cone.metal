@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: spot_cone
+// umbrage 0.1.0, spot_cone: 1 inside a spot light's cone. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

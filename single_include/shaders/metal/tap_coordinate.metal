@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: tap_coordinate
+// umbrage 0.1.0, tap_coordinate: a tap's coordinate from the middle's, before the division. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: tetrahedron_coordinate
+// umbrage 0.1.0, tetrahedron_coordinate: face of a tetrahedron, and where on it, that a direction meets. Exactness:
+//   tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: tetrahedron_view_z
+// umbrage 0.1.0, tetrahedron_view_z: distance along the normal of the tetrahedron's face that a direction meets.
+//   Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: turn_moments_back
+// umbrage 0.1.0, turn_moments_back: four channels of 16 bits to four moments. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

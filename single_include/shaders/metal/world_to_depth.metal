@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: world_to_depth
+// umbrage 0.1.0, world_to_depth: world units along a light as depth. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)

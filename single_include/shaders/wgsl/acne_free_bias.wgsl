@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: acne_free_bias
-// Paste along: clamp_bias.wgsl
+// umbrage 0.1.0, acne_free_bias: smallest bias without acne, for a slope, a reach and an encoding's error. Exactness:
+//   tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: clamp_bias.wgsl; or paste wgsl_joined/acne_free_bias.wgsl alone.
 
 // umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
 //   slope  change of depth from one texel to the next;   reach  of the filter, texels

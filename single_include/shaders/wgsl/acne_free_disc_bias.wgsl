@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: acne_free_disc_bias
-// Paste along: clamp_bias.wgsl
+// umbrage 0.1.0, acne_free_disc_bias: smallest bias without acne, for filters that read a disc. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: clamp_bias.wgsl; or paste wgsl_joined/acne_free_disc_bias.wgsl alone.
 
 // umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
 //   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: biased
-// Paste along: cleared_depth.wgsl
+// umbrage 0.1.0, biased: receiver moved towards the light. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cleared_depth.wgsl; or paste wgsl_joined/biased.wgsl alone.
 
 // umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
 fn umbrage_biased(receiver: f32, bias: f32) -> f32 {

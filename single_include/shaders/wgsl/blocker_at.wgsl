@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: blocker_at
-// Paste along: texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl
+// umbrage 0.1.0, blocker_at: whether what a point of the map holds lies before a receiver, and its depth. Exactness:
+//   tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl; or paste
+//   wgsl_joined/blocker_at.wgsl alone.
 
 // umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN

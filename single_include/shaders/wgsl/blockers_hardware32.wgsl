@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: blockers_hardware32
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl, blocker_at.wgsl
+// umbrage 0.1.0, blockers_hardware32: the same at 32 points. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl,
+//   decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl, blocker_at.wgsl; or paste
+//   wgsl_joined/blockers_hardware32.wgsl alone.
 
 // umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)

@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: blur_row3
-// Paste along: texel.wgsl, fetch_clamped.wgsl
+// umbrage 0.1.0, blur_row3: mean of texels in a row. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Paste along: texel.wgsl, fetch_clamped.wgsl; or paste wgsl_joined/blur_row3.wgsl alone.
 
 // umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
 //   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first

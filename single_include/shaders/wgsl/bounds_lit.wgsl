@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: bounds_lit
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl
+// umbrage 0.1.0, bounds_lit: visibility where bounds of a filter's texels suffice. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl,
+//   fetch_clamped.wgsl; or paste wgsl_joined/bounds_lit.wgsl alone.
 
 // umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
 //   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it

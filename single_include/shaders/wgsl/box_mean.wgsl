@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: box_mean
-// Paste along: texel.wgsl
+// umbrage 0.1.0, box_mean: mean of four whole numbers over a box, from a summed-area table in two halves. Exactness:
+//   tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Paste along: texel.wgsl; or paste wgsl_joined/box_mean.wgsl alone.
 
 // umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
 //   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end

@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: box_moments
-// Paste along: texel.wgsl, mend_quotient.wgsl, floor_divide.wgsl
+// umbrage 0.1.0, box_moments: mean and squared distances from it over a box, from a summed-area table. Exactness:
+//   tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Paste along: texel.wgsl, mend_quotient.wgsl, floor_divide.wgsl; or paste wgsl_joined/box_moments.wgsl alone.
 
 // umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
 //   that of their squared distances from mean 4096 high + low;  whole numbers
@@ -13,16 +17,17 @@ fn umbrage_box_moments(map: texture_2d<f32>, size: vec2f, first: vec2f, end: vec
     var low: vec2f = vec2f(part.x, part.z);
     let carry: vec2f = floor(low * (1.0 / 65536.0));
     var above: vec2f = vec2f(part.y, part.w) + carry;
-    low = low - carry * 65536.0;
-    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2f(0.0, 0.0));  // or a compiler distributes
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, vec2f(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2f(0.0, 0.0));
     let sum: f32 = above.x * 65536.0 + low.x;
-    let sides: vec2f = end - first;
+    let sides: vec2f = max(end - first, vec2f(1.0, 1.0));
     let n: f32 = sides.x * sides.y;
     let mean: f32 = umbrage_floor_divide(sum, n);
-    let rest: f32 = sum - mean * n;
+    let rest: f32 = max(sum - mean * n, 0.0);
     var digits: vec2f = vec2f(sum + rest, low.y);
     let high: vec2f = floor(digits * (1.0 / 4096.0));
-    digits = digits - high * 4096.0;
+    digits = max(digits - high * 4096.0, vec2f(0.0, 0.0));
     let below: f32 = digits.y - mean * digits.x;
     let borrow: f32 = floor(below * (1.0 / 4096.0));
     var wide: f32 = above.y * 16.0 + high.y - mean * high.x + borrow;

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: box_scale
+// umbrage 0.1.0, box_scale: 1 / (2r+1)^2. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
 fn umbrage_box_scale(radius: i32) -> f32 {

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: cascade_border_fade
-// Paste along: cascade_weight.wgsl
+// umbrage 0.1.0, cascade_border_fade: weight of the next cascade, by distance from the border. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cascade_weight.wgsl; or paste wgsl_joined/cascade_border_fade.wgsl alone.
 
 // umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
 //   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border

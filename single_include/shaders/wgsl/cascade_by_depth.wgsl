@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cascade_by_depth
+// umbrage 0.1.0, cascade_by_depth: cascade that a view depth falls into. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: cascade_by_projection
-// Paste along: cascade_coordinate.wgsl, inside_cascade.wgsl
+// umbrage 0.1.0, cascade_by_projection: first cascade that holds a point and its filter. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cascade_coordinate.wgsl, inside_cascade.wgsl; or paste wgsl_joined/cascade_by_projection.wgsl alone.
 
 // umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
 //   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cascade_column
+// umbrage 0.1.0, cascade_column: one of four columns, without an index. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
 fn umbrage_cascade_column(columns: mat4x4f, number: f32) -> vec4f {

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: cascade_fade
-// Paste along: cascade_weight.wgsl
+// umbrage 0.1.0, cascade_fade: weight of the next cascade, by view depth. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cascade_weight.wgsl; or paste wgsl_joined/cascade_fade.wgsl alone.
 
 // umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
 fn umbrage_cascade_fade(depth: f32, scale: f32, offset: f32) -> f32 {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cascade_weight
+// umbrage 0.1.0, cascade_weight: a weight in steps of 1/256. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
 fn umbrage_cascade_weight(v: f32) -> f32 {

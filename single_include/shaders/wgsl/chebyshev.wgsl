@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: chebyshev
+// umbrage 0.1.0, chebyshev: most that mean and variance let be lit. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
 //   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more

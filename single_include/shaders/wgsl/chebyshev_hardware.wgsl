@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: chebyshev_hardware
+// umbrage 0.1.0, chebyshev_hardware: most that a variance lets be lit, less the light that bleeds. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
 //   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5

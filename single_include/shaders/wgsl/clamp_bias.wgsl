@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: clamp_bias
+// umbrage 0.1.0, clamp_bias: clamp of a bias to [0, 1], NaN to 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
 fn umbrage_clamp_bias(bias: f32) -> f32 {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cleared_depth
+// umbrage 0.1.0, cleared_depth: depth of the far plane. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_cleared_depth: depth of the far plane
 fn umbrage_cleared_depth() -> f32 {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: compare
+// umbrage 0.1.0, compare: 1.0 when the receiver is no farther than the stored depth. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
 fn umbrage_compare(receiver: f32, stored: f32) -> f32 {

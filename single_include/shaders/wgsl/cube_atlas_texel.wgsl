@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cube_atlas_texel
+// umbrage 0.1.0, cube_atlas_texel: face that a texel of an atlas belongs to, and where on it. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
 fn umbrage_cube_atlas_texel(texel: vec2f, size: f32) -> vec3f {

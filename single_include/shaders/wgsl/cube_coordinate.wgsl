@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: cube_coordinate
-// Paste along: cube_face.wgsl, cube_view_z.wgsl, cube_plane.wgsl
+// umbrage 0.1.0, cube_coordinate: face, and where on it, that a direction meets. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cube_face.wgsl, cube_view_z.wgsl, cube_plane.wgsl; or paste wgsl_joined/cube_coordinate.wgsl alone.
 
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
 fn umbrage_cube_coordinate(direction: vec3f) -> vec3f {

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: cube_direction
-// Paste along: cube_point.wgsl
+// umbrage 0.1.0, cube_direction: direction to a point of a cube's face. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cube_point.wgsl; or paste wgsl_joined/cube_direction.wgsl alone.
 
 // umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
 fn umbrage_cube_direction(face: f32, st: vec2f) -> vec3f {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cube_face
+// umbrage 0.1.0, cube_face: face of a cube that a direction meets. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 fn umbrage_cube_face(direction: vec3f) -> f32 {

@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: cube_lit
-// Paste along: cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl, cube_neighbour.wgsl, cube_tile.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl
+// umbrage 0.1.0, cube_lit: one comparison with a texel of a cube. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl, cube_neighbour.wgsl, cube_tile.wgsl, compare.wgsl,
+//   texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl; or paste wgsl_joined/cube_lit.wgsl
+//   alone.
 
 // umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers

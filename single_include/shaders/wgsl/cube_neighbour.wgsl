@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: cube_neighbour
-// Paste along: cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl
+// umbrage 0.1.0, cube_neighbour: texel beyond an edge of a cube's face. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl; or paste wgsl_joined/cube_neighbour.wgsl alone.
 
 // umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: cube_plane
-// Paste along: cube_face.wgsl
+// umbrage 0.1.0, cube_plane: a direction in its face's axes. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cube_face.wgsl; or paste wgsl_joined/cube_plane.wgsl alone.
 
 // umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
 fn umbrage_cube_plane(direction: vec3f) -> vec3f {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: cube_point
+// umbrage 0.1.0, cube_point: a point from a face's axes. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
 fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {

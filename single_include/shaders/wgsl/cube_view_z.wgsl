@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: cube_view_z
-// Paste along: cube_face.wgsl
+// umbrage 0.1.0, cube_view_z: distance along the axis of the face that a direction meets. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cube_face.wgsl; or paste wgsl_joined/cube_view_z.wgsl alone.
 
 // umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
 fn umbrage_cube_view_z(direction: vec3f) -> f32 {

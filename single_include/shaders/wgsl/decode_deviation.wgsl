@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: decode_deviation
+// umbrage 0.1.0, decode_deviation: mean and deviation to depth's two moments. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
 fn umbrage_decode_deviation(held: vec2f) -> vec2f {

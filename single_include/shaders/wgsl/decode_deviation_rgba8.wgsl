@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: decode_deviation_rgba8
-// Paste along: decode_deviation.wgsl, from_unorm.wgsl, decode_rg16.wgsl
+// umbrage 0.1.0, decode_deviation_rgba8: mean and deviation in four channels to depth's two moments. Exactness: tier
+//   B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: decode_deviation.wgsl, from_unorm.wgsl, decode_rg16.wgsl; or paste
+//   wgsl_joined/decode_deviation_rgba8.wgsl alone.
 
 // umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
 fn umbrage_decode_deviation_rgba8(c: vec4f) -> vec2f {

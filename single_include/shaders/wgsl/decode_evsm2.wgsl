@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: decode_evsm2
-// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl
+// umbrage 0.1.0, decode_evsm2: mean of texels of two components to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl,
+//   exp2_polynomial.wgsl, warp_depth.wgsl; or paste wgsl_joined/decode_evsm2.wgsl alone.
 
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels

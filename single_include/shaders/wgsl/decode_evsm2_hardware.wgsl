@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: decode_evsm2_hardware
-// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl
+// umbrage 0.1.0, decode_evsm2_hardware: mean of texels of two components to visibility, by the GPU's own exp2.
+//   Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl; or paste
+//   wgsl_joined/decode_evsm2_hardware.wgsl alone.
 
 // umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels

@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: decode_float_bits
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// umbrage 0.1.0, decode_float_bits: four channels, R least significant, to the float they are. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of float_bits: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (0, 0, 128, 63) / 255, with
+//   reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_float_bits.
+// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/decode_float_bits.wgsl alone.
 
 // umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
 fn umbrage_decode_float_bits(c: vec4f) -> f32 {

@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: decode_msm
-// Paste along: bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl
+// umbrage 0.1.0, decode_msm: mean of four moments to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl; or paste
+//   wgsl_joined/decode_msm.wgsl alone.
 
 // umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
 //   b  mean of texels;   receiver  depth, biased

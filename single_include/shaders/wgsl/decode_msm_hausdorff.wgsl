@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: decode_msm_hausdorff
-// Paste along: bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl, decode_msm.wgsl, hausdorff_share.wgsl
+// umbrage 0.1.0, decode_msm_hausdorff: mean of four moments of depths on [-1, 1] to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl, decode_msm.wgsl,
+//   hausdorff_share.wgsl; or paste wgsl_joined/decode_msm_hausdorff.wgsl alone.
 
 // umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: decode_vsm
-// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl
+// umbrage 0.1.0, decode_vsm: mean of texels of a variance shadow map to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl; or paste wgsl_joined/decode_vsm.wgsl alone.
 
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more

@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: decode_vsm_hardware
-// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl
+// umbrage 0.1.0, decode_vsm_hardware: mean and deviation to visibility, the cheapest way. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl; or paste
+//   wgsl_joined/decode_vsm_hardware.wgsl alone.
 
 // umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased

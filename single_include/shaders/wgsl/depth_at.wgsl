@@ -1,5 +1,11 @@
-// umbrage 0.1.0, MIT License: depth_at
-// Paste along: texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl
+// umbrage 0.1.0, depth_at: stored depth at a point of the map. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl; or paste wgsl_joined/depth_at.wgsl
+//   alone.
 
 // umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: diffuse_ambient
+// umbrage 0.1.0, diffuse_ambient: diffuse plus ambient light of a surface. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 fn umbrage_diffuse_ambient(albedo: vec3f, ambient: f32, n_dot_l: f32, visibility: f32) -> vec3f {

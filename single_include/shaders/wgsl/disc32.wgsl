@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: disc32
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, disc_radius.wgsl, disc_tap.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl
+// umbrage 0.1.0, disc32: disc of 32 points, turned by the pixel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, disc_radius.wgsl, disc_tap.wgsl,
+//   compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl; or paste
+//   wgsl_joined/disc32.wgsl alone.
 
 // umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)

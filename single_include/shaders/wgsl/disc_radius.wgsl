@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: disc_radius
+// umbrage 0.1.0, disc_radius: radius of a disc, down to 1/16 texel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
 fn umbrage_disc_radius(radius: f32) -> f32 {

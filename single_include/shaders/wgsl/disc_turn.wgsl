@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: disc_turn
-// Paste along: inside_texel_space.wgsl
+// umbrage 0.1.0, disc_turn: one of 16 turns for a pixel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: inside_texel_space.wgsl; or paste wgsl_joined/disc_turn.wgsl alone.
 
 // umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
 fn umbrage_disc_turn(pixel: vec2f) -> vec2f {

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: distance_code
-// Paste along: cleared_depth.wgsl
+// umbrage 0.1.0, distance_code: a depth as 16 bits of distance from the near plane. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cleared_depth.wgsl; or paste wgsl_joined/distance_code.wgsl alone.
 
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 fn umbrage_distance_code(depth: f32) -> f32 {

@@ -1,5 +1,13 @@
-// umbrage 0.1.0, MIT License: dpcf32
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl, blocker.wgsl, blockers32.wgsl, mend_quotient.wgsl, floor_divide.wgsl, hardened32.wgsl
+// umbrage 0.1.0, dpcf32: contact hardening by 32 points. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, distance_code.wgsl,
+//   penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl,
+//   blocker.wgsl, blockers32.wgsl, mend_quotient.wgsl, floor_divide.wgsl, hardened32.wgsl; or paste
+//   wgsl_joined/dpcf32.wgsl alone.
 
 // umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -14,5 +22,5 @@ fn umbrage_dpcf32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
     let radius: f32 = umbrage_penumbra(z - mean, softness);
     let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
     let dark: f32 = umbrage_hardened32(found.x, ratio);
-    return select(1.0, 1.0 - dark, compared);
+    return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }

@@ -1,4 +1,7 @@
-// umbrage 0.1.0, MIT License: dual_paraboloid_coordinate
+// umbrage 0.1.0, dual_paraboloid_coordinate: paraboloid map, and where in it, that sees a direction. Exactness: tier
+//   C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
 fn umbrage_dual_paraboloid_coordinate(direction: vec3f) -> vec3f {

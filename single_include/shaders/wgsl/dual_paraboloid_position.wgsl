@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: dual_paraboloid_position
+// umbrage 0.1.0, dual_paraboloid_position: a vertex of a paraboloid map's depth pass. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
 //   direction  from the light to the vertex;   map  0.0 or 1.0

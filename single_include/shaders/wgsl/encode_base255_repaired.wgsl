@@ -1,5 +1,10 @@
-// umbrage 0.1.0, MIT License: encode_base255_repaired
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// umbrage 0.1.0, encode_base255_repaired: depth for readers of base-255 RGBA, 1.0 and truncation repaired. Exactness:
+//   tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of base255_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 0, 0, 0) / 255,
+//   with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_base255_repaired.
+// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_base255_repaired.wgsl alone.
 
 // umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)

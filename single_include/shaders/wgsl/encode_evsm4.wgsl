@@ -1,5 +1,10 @@
-// umbrage 0.1.0, MIT License: encode_evsm4
-// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl
+// umbrage 0.1.0, encode_evsm4: depth to a texel of four components. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of evsm4: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_evsm4 of the far
+//   plane's depth.
+// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
+//   warp_depth.wgsl; or paste wgsl_joined/encode_evsm4.wgsl alone.
 
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
 fn umbrage_encode_evsm4(depth: f32, exponents: vec2f) -> vec4f {

@@ -1,5 +1,11 @@
-// umbrage 0.1.0, MIT License: encode_msm
-// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl
+// umbrage 0.1.0, encode_msm: depth to its first four powers on [-1, 1]. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of msm: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far plane's
+//   depth.
+// Render target of msm_hausdorff: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far
+//   plane's depth.
+// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl; or paste wgsl_joined/encode_msm.wgsl alone.
 
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_msm(depth: f32) -> vec4f {

@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: encode_rg10
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// umbrage 0.1.0, encode_rg10: depth to two channels, R the low byte. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rg10: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 192) / 255, with reversed depth
+//   to (0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rg10.
+// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_rg10.wgsl alone.
 
 // umbrage_encode_rg10: depth to the two channels of a 10-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as far

@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: encode_rg15_table
-// Paste along: cleared_depth.wgsl, saturate.wgsl, from_unorm.wgsl, texel.wgsl, fetch_clamped.wgsl
+// umbrage 0.1.0, encode_rg15_table: depth to two channels through a look-up texture. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Paste along: cleared_depth.wgsl, saturate.wgsl, from_unorm.wgsl, texel.wgsl, fetch_clamped.wgsl; or paste
+//   wgsl_joined/encode_rg15_table.wgsl alone.
 
 // umbrage_encode_rg15_table: depth to the two channels of a 15-bit code through a look-up table, whole numbers 0..255
 //   table   2048 x 16 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far

@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: encode_rgb24
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// umbrage 0.1.0, encode_rgb24: depth to three channels, R most significant. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rgb24: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
+//   reversed depth to (0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rgb24.
+// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_rgb24.wgsl alone.
 
 // umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
 //   depth   clamped to [0, 1], NaN counts as far
@@ -8,5 +12,5 @@ fn umbrage_encode_rgb24(depth: f32) -> vec3f {
     let high: f32 = floor(x * (1.0 / 65536.0));
     let rest: f32 = x - high * 65536.0;
     let middle: f32 = floor(rest * (1.0 / 256.0));
-    return vec3f(high, middle, rest - middle * 256.0);
+    return vec3f(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
 }

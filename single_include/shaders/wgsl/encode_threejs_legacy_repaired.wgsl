@@ -1,5 +1,11 @@
-// umbrage 0.1.0, MIT License: encode_threejs_legacy_repaired
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// umbrage 0.1.0, encode_threejs_legacy_repaired: depth for readers of three.js RGBA, r73 to r166, 1.0 repaired.
+//   Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_legacy_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255,
+//   255) / 255, with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of
+//   umbrage_encode_threejs_legacy_repaired.
+// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_threejs_legacy_repaired.wgsl alone.
 
 // umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
@@ -9,5 +15,6 @@ fn umbrage_encode_threejs_legacy_repaired(depth: f32) -> vec4f {
     let high: f32 = floor(x * (1.0 / 65536.0));
     let rest: f32 = x - high * 65536.0;
     let middle: f32 = floor(rest * (1.0 / 256.0));
-    return select(vec4f(255.0, 255.0, 255.0, 255.0), vec4f(0.0, rest - middle * 256.0, middle, high), v < 1.0);
+    let low: f32 = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    return select(vec4f(255.0, 255.0, 255.0, 255.0), vec4f(0.0, low, middle, high), v < 1.0);
 }

@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: encode_vsm
-// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl
+// umbrage 0.1.0, encode_vsm: depth to a texel of a variance shadow map. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of vsm: RG32F, not sRGB, no blending, one sample. Clear to umbrage_encode_vsm of the far plane's
+//   depth.
+// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl; or paste wgsl_joined/encode_vsm.wgsl alone.
 
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_vsm(depth: f32) -> vec2f {

@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: esm
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, fetch_bilinear.wgsl, cleared_depth.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl, decode_esm.wgsl
+// umbrage 0.1.0, esm: visibility from a map of encode_esm's texels. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Render target of esm: R32F, not sRGB, no blending, one sample. Clear to umbrage_encode_esm of the far plane's
+//   depth.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl,
+//   fetch_bilinear.wgsl, cleared_depth.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
+//   warp_depth.wgsl, decode_esm.wgsl; or paste wgsl_joined/esm.wgsl alone.
 
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: exp2_polynomial
-// Paste along: power_of_two.wgsl
+// umbrage 0.1.0, exp2_polynomial: 2^y to 1.8e-7 of it. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: power_of_two.wgsl; or paste wgsl_joined/exp2_polynomial.wgsl alone.
 
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0

@@ -1,12 +1,14 @@
-// umbrage 0.1.0, MIT License: exp2_steps
-// Paste along: power_of_two.wgsl
+// umbrage 0.1.0, exp2_steps: 2^y in steps of 12 bits. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: power_of_two.wgsl; or paste wgsl_joined/exp2_steps.wgsl alone.
 
 // umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 fn umbrage_exp2_steps(y: f32) -> f32 {
     let x: f32 = floor(select(-64.0, min(y, 63.0), y > -64.0) * 2048.0);
     let n: f32 = floor(x * (1.0 / 2048.0));
-    let f: f32 = x - n * 2048.0;
+    let f: f32 = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
     let g: f32 = floor(f * (2048.0 - f) * (1.0 / 256.0));
     let r: f32 = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     let m: f32 = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: false_colour
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// umbrage 0.1.0, false_colour: 0..1 to blue, green, red. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/false_colour.wgsl alone.
 
 // umbrage_false_colour: blue for 0.0, through green, to red for 1.0
 fn umbrage_false_colour(v: f32) -> vec3f {

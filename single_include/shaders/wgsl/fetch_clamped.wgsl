@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: fetch_clamped
-// Paste along: texel.wgsl
+// umbrage 0.1.0, fetch_clamped: texel of a map, outside the nearest one inside. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Paste along: texel.wgsl; or paste wgsl_joined/fetch_clamped.wgsl alone.
 
 // umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
 fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {

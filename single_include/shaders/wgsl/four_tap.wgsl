@@ -1,5 +1,11 @@
-// umbrage 0.1.0, MIT License: four_tap
-// Paste along: compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, beyond_far.wgsl
+// umbrage 0.1.0, four_tap: mean of four taps with coordinates of their own. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl,
+//   beyond_far.wgsl; or paste wgsl_joined/four_tap.wgsl alone.
 
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15

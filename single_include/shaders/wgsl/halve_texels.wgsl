@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: halve_texels
-// Paste along: texel.wgsl, fetch_clamped.wgsl
+// umbrage 0.1.0, halve_texels: mean of 2x2 texels. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Paste along: texel.wgsl, fetch_clamped.wgsl; or paste wgsl_joined/halve_texels.wgsl alone.
 
 // umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
 //   map, size  read from, and its size in texels;   texel  of the next level, whole numbers

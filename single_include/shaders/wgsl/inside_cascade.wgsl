@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: inside_cascade
+// umbrage 0.1.0, inside_cascade: coordinates whose filter stays inside a cascade. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
 fn umbrage_inside_cascade(coordinate: vec3f, size: vec2f, reach: f32) -> bool {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: inside_map
+// umbrage 0.1.0, inside_map: whether a texel is one of the map's. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_inside_map: whether a texel is one of a map's of size texels
 fn umbrage_inside_map(size: vec2f, texel: vec2f) -> bool {

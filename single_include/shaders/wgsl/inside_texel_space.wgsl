@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: inside_texel_space
+// umbrage 0.1.0, inside_texel_space: coordinates a filter can take. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {

@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: lit_at
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl
+// umbrage 0.1.0, lit_at: comparisons around a point of the map, weighted. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl,
+//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl; or
+//   paste wgsl_joined/lit_at.wgsl alone.
 
 // umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN

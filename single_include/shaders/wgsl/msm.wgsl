@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: msm
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, fetch_bilinear.wgsl, bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl, decode_msm.wgsl
+// umbrage 0.1.0, msm: visibility from a map of encode_msm's texels. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Render target of msm: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far plane's
+//   depth.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl,
+//   fetch_bilinear.wgsl, bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl,
+//   decode_msm.wgsl; or paste wgsl_joined/msm.wgsl alone.
 
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)

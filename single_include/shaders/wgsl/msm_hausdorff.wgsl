@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: msm_hausdorff
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, fetch_bilinear.wgsl, bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl, decode_msm.wgsl, hausdorff_share.wgsl, decode_msm_hausdorff.wgsl
+// umbrage 0.1.0, msm_hausdorff: visibility from a map of encode_msm's texels. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Render target of msm_hausdorff: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far
+//   plane's depth.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl,
+//   fetch_bilinear.wgsl, bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl,
+//   decode_msm.wgsl, hausdorff_share.wgsl, decode_msm_hausdorff.wgsl; or paste wgsl_joined/msm_hausdorff.wgsl alone.
 
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: on_receiver_plane
-// Paste along: cleared_depth.wgsl
+// umbrage 0.1.0, on_receiver_plane: stored depth moved along the receiver's plane to the receiver. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cleared_depth.wgsl; or paste wgsl_joined/on_receiver_plane.wgsl alone.
 
 // umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
 //   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: orthographic_depth_from_view_z
+// umbrage 0.1.0, orthographic_depth_from_view_z: view-space z to orthographic depth. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
 // z_near; when reversed, exchange z_near and z_far

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: pancaked
+// umbrage 0.1.0, pancaked: casters before the near plane, onto it. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth

@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: pcf_2x2
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl
+// umbrage 0.1.0, pcf_2x2: bilinear 2x2, weights in steps of 1/256. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl,
+//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste wgsl_joined/pcf_2x2.wgsl
+//   alone.
 
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -8,10 +15,10 @@ fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f3
     let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let hi: vec2f = x - texel * 256.0;
-    let lo: vec2f = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
     let lit: vec4f = umbrage_lit_2x2(map, size, texel, receiver);
-    let sum: f32 = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    let visibility: f32 = sum * (1.0 / 65536.0);
+    let visibility: f32 = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
     return select(1.0, visibility, compared);
 }

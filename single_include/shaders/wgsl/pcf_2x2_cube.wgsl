@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: pcf_2x2_cube
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl, cube_neighbour.wgsl, cube_tile.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, cube_lit.wgsl
+// umbrage 0.1.0, pcf_2x2_cube: 2 x 2 comparisons of a cube, over its edges too, bilinear weights. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cube_face.wgsl, cube_plane.wgsl,
+//   cube_point.wgsl, cube_neighbour.wgsl, cube_tile.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl,
+//   fetch_depth.wgsl, lit.wgsl, cube_lit.wgsl; or paste wgsl_joined/pcf_2x2_cube.wgsl alone.
 
 // umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
 //   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
@@ -9,8 +16,9 @@ fn umbrage_pcf_2x2_cube(map: texture_2d<f32>, size: vec2f, at: vec3f, receiver: 
     let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0 + 0.5) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let hi: vec2f = x - texel * 256.0;
-    let lo: vec2f = 256.0 - hi;
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
     var sum: vec2f = umbrage_cube_lit(map, size, vec3f(texel, at.z), receiver) * (lo.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3f(texel + vec2f(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
     sum += umbrage_cube_lit(map, size, vec3f(texel + vec2f(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);

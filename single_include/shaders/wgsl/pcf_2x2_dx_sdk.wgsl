@@ -1,5 +1,11 @@
-// umbrage 0.1.0, MIT License: pcf_2x2_dx_sdk
-// Paste along: compare_dx_sdk.wgsl, inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl
+// umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 as the DirectX SDK sample, plain floats. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: compare_dx_sdk.wgsl, inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl,
+//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl; or paste wgsl_joined/pcf_2x2_dx_sdk.wgsl alone.
 
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)

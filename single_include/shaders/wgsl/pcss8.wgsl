@@ -1,5 +1,13 @@
-// umbrage 0.1.0, MIT License: pcss8
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl, blocker.wgsl, blockers8.wgsl, mend_quotient.wgsl, floor_divide.wgsl, disc_radius.wgsl, lit.wgsl, disc8.wgsl
+// umbrage 0.1.0, pcss8: percentage-closer soft shadows, 8 points twice. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, distance_code.wgsl,
+//   penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl,
+//   blocker.wgsl, blockers8.wgsl, mend_quotient.wgsl, floor_divide.wgsl, disc_radius.wgsl, lit.wgsl, disc8.wgsl; or
+//   paste wgsl_joined/pcss8.wgsl alone.
 
 // umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: pcss_radius
-// Paste along: cleared_depth.wgsl
+// umbrage 0.1.0, pcss_radius: radius of a penumbra from the mean depth of blockers. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cleared_depth.wgsl; or paste wgsl_joined/pcss_radius.wgsl alone.
 
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased

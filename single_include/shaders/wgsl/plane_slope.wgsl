@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: plane_slope
-// Paste along: clamp_slope.wgsl
+// umbrage 0.1.0, plane_slope: change of a plane's depth from texel to texel. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: clamp_slope.wgsl; or paste wgsl_joined/plane_slope.wgsl alone.
 
 // umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
 //   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane

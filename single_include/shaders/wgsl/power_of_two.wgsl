@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: power_of_two
+// umbrage 0.1.0, power_of_two: 2^n of whole numbers -64 to 63. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
 fn umbrage_power_of_two(n: f32) -> f32 {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: project_coordinate
+// umbrage 0.1.0, project_coordinate: the division by w, lit behind the light. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
 fn umbrage_project_coordinate(coordinate: vec4f) -> vec3f {

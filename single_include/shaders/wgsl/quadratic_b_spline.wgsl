@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: quadratic_b_spline
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl
+// umbrage 0.1.0, quadratic_b_spline: quadratic B-spline of 3 x 3 texels. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl,
+//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste
+//   wgsl_joined/quadratic_b_spline.wgsl alone.
 
 // umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -8,11 +15,12 @@ fn umbrage_quadratic_b_spline(map: texture_2d<f32>, size: vec2f, coord: vec2f, r
     let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    let s: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
     let r: vec2f = 256.0 - s;
     let w0: vec2f = floor(r * r * (1.0 / 32.0));
     let w2: vec2f = floor(s * s * (1.0 / 32.0));
-    let w1: vec2f = 4096.0 - w0 - w2;
+    let w1: vec2f = max(4096.0 - w0 - w2, vec2f(0.0, 0.0));
     let a: vec4f = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     let b: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, -1.0), receiver);
     let c: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(-1.0, 1.0), receiver);

@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: receiver_plane
-// Paste along: clamp_slope.wgsl
+// umbrage 0.1.0, receiver_plane: slope of a receiver's plane from derivatives, and how far it may be off. Exactness:
+//   tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: clamp_slope.wgsl; or paste wgsl_joined/receiver_plane.wgsl alone.
 
 // umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
 //   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane

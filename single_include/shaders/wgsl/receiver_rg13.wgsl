@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: receiver_rg13
+// umbrage 0.1.0, receiver_rg13: receiver to a level, for maps that are not decoded. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_receiver_rg13: receiver on the scale of umbrage_level_rg13: it is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg13(texel, edge), or beyond the far plane

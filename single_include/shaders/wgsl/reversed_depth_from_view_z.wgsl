@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: reversed_depth_from_view_z
+// umbrage 0.1.0, reversed_depth_from_view_z: view-space z to reversed perspective depth. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
 fn umbrage_reversed_depth_from_view_z(z_view: f32, z_near: f32, z_far: f32) -> f32 {

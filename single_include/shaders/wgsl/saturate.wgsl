@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: saturate
-// Paste along: cleared_depth.wgsl
+// umbrage 0.1.0, saturate: clamp to [0, 1], NaN to far. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: cleared_depth.wgsl; or paste wgsl_joined/saturate.wgsl alone.
 
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 fn umbrage_saturate(v: f32) -> f32 {

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: slope_bias
-// Paste along: clamp_bias.wgsl
+// umbrage 0.1.0, slope_bias: bias by the greater slope, as rasterizers have it. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: clamp_bias.wgsl; or paste wgsl_joined/slope_bias.wgsl alone.
 
 // umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
 //   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth

@@ -1,5 +1,10 @@
-// umbrage 0.1.0, MIT License: summed_moments
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, box_mean.wgsl, turn_moments_back.wgsl, bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl, decode_msm.wgsl
+// umbrage 0.1.0, summed_moments: moment shadow over a box of any size, from a summed-area table. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, box_mean.wgsl,
+//   turn_moments_back.wgsl, bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl,
+//   decode_msm.wgsl; or paste wgsl_joined/summed_moments.wgsl alone.
 
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one

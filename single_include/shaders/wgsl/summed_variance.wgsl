@@ -1,5 +1,10 @@
-// umbrage 0.1.0, MIT License: summed_variance
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, texel.wgsl, mend_quotient.wgsl, floor_divide.wgsl, box_moments.wgsl
+// umbrage 0.1.0, summed_variance: variance shadow over a box of any size, from a summed-area table. Exactness: tier
+//   C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, texel.wgsl,
+//   mend_quotient.wgsl, floor_divide.wgsl, box_moments.wgsl; or paste wgsl_joined/summed_variance.wgsl alone.
 
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's

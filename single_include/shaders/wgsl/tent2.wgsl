@@ -1,5 +1,11 @@
-// umbrage 0.1.0, MIT License: tent2
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl
+// umbrage 0.1.0, tent2: sliding window 1 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl,
+//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste wgsl_joined/tent2.wgsl alone.
 
 // umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -8,11 +14,12 @@ fn umbrage_tent2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32)
     let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = x - texel * 256.0;
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    let s: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
     let r: vec2f = 256.0 - s;
     let w0: vec2f = r * 8.0;
     let w2: vec2f = s * 8.0;
-    let w1: vec2f = 4096.0 - w0 - w2;
+    let w1: vec2f = max(4096.0 - w0 - w2, vec2f(0.0, 0.0));
     let a: vec4f = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
     let b: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, -1.0), receiver);
     let c: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(-1.0, 1.0), receiver);

@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: tetrahedron_coordinate
-// Paste along: tetrahedron_face.wgsl, tetrahedron_plane.wgsl
+// umbrage 0.1.0, tetrahedron_coordinate: face of a tetrahedron, and where on it, that a direction meets. Exactness:
+//   tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: tetrahedron_face.wgsl, tetrahedron_plane.wgsl; or paste wgsl_joined/tetrahedron_coordinate.wgsl alone.
 
 // umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
 fn umbrage_tetrahedron_coordinate(direction: vec3f) -> vec3f {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: tetrahedron_face
+// umbrage 0.1.0, tetrahedron_face: face of a tetrahedron that a direction meets. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 fn umbrage_tetrahedron_face(direction: vec3f) -> f32 {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: tetrahedron_face_of
+// umbrage 0.1.0, tetrahedron_face_of: face of a tetrahedron that a texel belongs to. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_tetrahedron_face_of: the face, 0.0 to 3.0, whose triangle in a map of size texels a texel lies in
 fn umbrage_tetrahedron_face_of(texel: vec2f, size: f32) -> f32 {

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: tetrahedron_plane
-// Paste along: tetrahedron_face.wgsl
+// umbrage 0.1.0, tetrahedron_plane: a direction in its tetrahedron face's axes. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: tetrahedron_face.wgsl; or paste wgsl_joined/tetrahedron_plane.wgsl alone.
 
 // umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
 fn umbrage_tetrahedron_plane(direction: vec3f) -> vec3f {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: tetrahedron_texel
+// umbrage 0.1.0, tetrahedron_texel: a point of a tetrahedron's face in the map. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels

@@ -1,5 +1,8 @@
-// umbrage 0.1.0, MIT License: tetrahedron_view_z
-// Paste along: tetrahedron_face.wgsl, tetrahedron_plane.wgsl
+// umbrage 0.1.0, tetrahedron_view_z: distance along the normal of the tetrahedron's face that a direction meets.
+//   Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: tetrahedron_face.wgsl, tetrahedron_plane.wgsl; or paste wgsl_joined/tetrahedron_view_z.wgsl alone.
 
 // umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
 fn umbrage_tetrahedron_view_z(direction: vec3f) -> f32 {

@@ -1,4 +1,6 @@
-// umbrage 0.1.0, MIT License: view_z_from_orthographic_depth
+// umbrage 0.1.0, view_z_from_orthographic_depth: orthographic depth to view-space z. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
 // axis; when reversed, exchange z_near and z_far

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: warp_depth
-// Paste along: power_of_two.wgsl, exp2_polynomial.wgsl
+// umbrage 0.1.0, warp_depth: depth on the scale of exponential shadow maps. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: power_of_two.wgsl, exp2_polynomial.wgsl; or paste wgsl_joined/warp_depth.wgsl alone.
 
 // umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
 fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {

@@ -1,5 +1,12 @@
-// umbrage 0.1.0, MIT License: window_sum7
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl
+// umbrage 0.1.0, window_sum7: weighted count of lit texels under a window of 7 x 7. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl,
+//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste wgsl_joined/window_sum7.wgsl
+//   alone.
 
 // umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -11,7 +18,7 @@ fn umbrage_window_sum7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver
     let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     let w0: vec2f = floor(r * k0);
@@ -21,7 +28,7 @@ fn umbrage_window_sum7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver
     let w5: vec2f = floor(r * k1 + s * k2);
     let w6: vec2f = floor(r * k0 + s * k1);
     let w7: vec2f = floor(s * k0);
-    let w3: vec2f = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    let w3: vec2f = max(whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7), vec2f(0.0, 0.0));
     let first: vec2f = texel - 3.0;
     var n: f32 = 0.0;
     var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);

@@ -1,5 +1,7 @@
-// umbrage 0.1.0, MIT License: world_to_depth
-// Paste along: clamp_bias.wgsl
+// umbrage 0.1.0, world_to_depth: world units along a light as depth. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: clamp_bias.wgsl; or paste wgsl_joined/world_to_depth.wgsl alone.
 
 // umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0

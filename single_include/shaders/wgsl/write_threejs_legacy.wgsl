@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: write_threejs_legacy
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// umbrage 0.1.0, write_threejs_legacy: depth to three.js RGBA, r73 to r166. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_legacy: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255, 255) /
+//   255, with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_write_threejs_legacy.
+// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/write_threejs_legacy.wgsl alone.
 
 // umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
 //   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not

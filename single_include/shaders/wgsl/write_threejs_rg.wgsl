@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: write_threejs_rg
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// umbrage 0.1.0, write_threejs_rg: depth to three.js RG, r167 and later. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_rg: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255) / 255, with reversed
+//   depth to (0, 0) / 255. Write umbrage_write_threejs_rg.
+// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/write_threejs_rg.wgsl alone.
 
 // umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
 fn umbrage_write_threejs_rg(depth: f32) -> vec2f {

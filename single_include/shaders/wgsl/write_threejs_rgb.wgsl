@@ -1,5 +1,9 @@
-// umbrage 0.1.0, MIT License: write_threejs_rgb
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// umbrage 0.1.0, write_threejs_rgb: depth to three.js RGB, r167 and later. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_rgb: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
+//   reversed depth to (0, 0, 0) / 255. Write umbrage_write_threejs_rgb.
+// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/write_threejs_rgb.wgsl alone.
 
 // umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
 fn umbrage_write_threejs_rgb(depth: f32) -> vec3f {

@@ -101,7 +101,7 @@ template <class Fit>
 void run_warp(const char* name, Fit fit) {
     run(name, [&](const scene& of) {
         const warp_fit<float> terms{of.camera, of.direction, of.receivers(), of.box, margin, clip};
-        const bounds seen(fit(terms).light, detail::corners_of(terms.receivers));
+        const bounds seen(fit(terms).light, detail::corners_of(*terms.receivers));
         return seen.held() && seen.filled(with_margin);
     });
 }
@@ -126,7 +126,8 @@ int main() {
                                                       .margin = 0,
                                                       .has_far_plane = far_plane,
                                                       .clip = clip});
-            const bounds seen(light, detail::corners_of(of.receivers()));
+            if (!light) return false;
+            const bounds seen(*light, detail::corners_of(of.receivers()));
             if (!seen.held() || !seen.filled(1.0)) return false;
         }
         return true;
@@ -159,7 +160,7 @@ int main() {
         const warp_fit<float> terms{of.camera, of.direction, of.receivers(), of.box, margin, clip};
         std::vector<glm::dvec3> on_ground;
         for (const glm::dvec3& p : detail::crossings(of.camera, glm::dvec4(ground))) on_ground.push_back(p);
-        return bounds(fit_plane_optimal(terms, ground).light, on_ground).held();
+        return bounds(fit_plane_optimal(terms, ground)->light, on_ground).held();
     });
     run("choose_light", [](const scene& of) {
         const hull receivers = of.receivers();

@@ -14,19 +14,19 @@
 
 using namespace umbrage;
 using namespace umbrage::glsl;
-using names = std::vector<std::string_view>;
+using texts = std::vector<std::string_view>;
 
 TEST_CASE("lists: members between commas, and the names that parameters declare") {
-    CHECK(glsl::detail::members("a, f(b, c)[d, e], g<h, i>") == names{"a", " f(b, c)[d, e]", " g<h, i>"});
-    CHECK(glsl::detail::declared("highp sampler2D map, float layer") == names{"map", "layer"});
-    CHECK(glsl::detail::declared("map: texture_storage_2d<r32float, read>, i: i32") == names{"map", "i"});
+    CHECK(glsl::detail::members("a, f(b, c)[d, e], g<h, i>") == texts{"a", " f(b, c)[d, e]", " g<h, i>"});
+    CHECK(glsl::detail::declared("highp sampler2D map, float layer") == texts{"map", "layer"});
+    CHECK(glsl::detail::declared("map: texture_storage_2d<r32float, read>, i: i32") == texts{"map", "i"});
     CHECK(glsl::detail::declared("metal::depth2d<float> map, metal::sampler map_sampler") ==
-          names{"map", "map_sampler"});
-    CHECK(glsl::detail::declared("sampler2D maps[4], Texture2D<float4> map") == names{"maps", "map"});
+          texts{"map", "map_sampler"});
+    CHECK(glsl::detail::declared("sampler2D maps[4], Texture2D<float4> map") == texts{"maps", "map"});
 }
 
 TEST_CASE("words: those of code, and not of comments") {
-    CHECK(glsl::detail::words_of("a += b2; // c\nd(e_f)") == names{"a", "b2", "d", "e_f"});
+    CHECK(glsl::detail::words_of("a += b2; // c\nd(e_f)") == texts{"a", "b2", "d", "e_f"});
 }
 
 TEST_CASE("parameters of one's own: what is read is among them, and no name is taken twice") {

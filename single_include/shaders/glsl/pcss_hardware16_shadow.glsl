@@ -1,0 +1,270 @@
+// umbrage 0.1.0, pcss_hardware16_shadow: percentage-closer soft shadows (PCSS) at 16 points, one texture bound to two
+//   samplers. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Map: `sampler2DShadow map`, a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters
+//   linearly.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_TURN
+#define UMBRAGE_HAS_DISC_TURN
+// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
+    v = v - floor(v * (1.0 / 16.0)) * 16.0;
+    UMBRAGE_HIGHP float quarter = floor(v * 0.25);
+    UMBRAGE_HIGHP float base = v - quarter * 4.0;
+    UMBRAGE_HIGHP vec2 low = base < 0.5 ? vec2(64.0, 0.0) : vec2(59.0, 24.0);
+    UMBRAGE_HIGHP vec2 high = base < 2.5 ? vec2(45.0, 45.0) : vec2(24.0, 59.0);
+    UMBRAGE_HIGHP vec2 turn = base < 1.5 ? low : high;
+    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? turn : vec2(0.0 - turn.y, turn.x);
+    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - turn.x, 0.0 - turn.y) : vec2(turn.y, 0.0 - turn.x);
+    return quarter < 1.5 ? once : twice;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCSS_RADIUS
+#define UMBRAGE_HAS_PCSS_RADIUS
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
+                                        UMBRAGE_HIGHP vec3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    UMBRAGE_HIGHP float least = softness.y * 0.0625;
+    return radius > least ? min(radius, softness.z * 0.0625) : least;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_DEPTHS
+#define UMBRAGE_HAS_BEYOND_FAR_DEPTHS
+// umbrage_beyond_far_depths: whether a receiver is behind the far plane
+bool umbrage_beyond_far_depths(UMBRAGE_HIGHP float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED_DEPTHS
+#define UMBRAGE_HAS_IS_COMPARED_DEPTHS
+// umbrage_is_compared_depths: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared_depths(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_depths(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL_DEPTHS
+#define UMBRAGE_HAS_TEXEL_DEPTHS
+// umbrage_texel_depths: value of a texel inside the map; whole numbers, (0, 0) is the first
+UMBRAGE_HIGHP vec4 umbrage_texel_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                        UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED_DEPTHS
+#define UMBRAGE_HAS_FETCH_CLAMPED_DEPTHS
+// umbrage_fetch_clamped_depths: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                                UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel_depths(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_DEPTHS
+#define UMBRAGE_HAS_DECODE_DEPTHS
+// umbrage_decode_depths: depth of a texel's value
+UMBRAGE_HIGHP float umbrage_decode_depths(UMBRAGE_HIGHP vec4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
+#define UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
+// umbrage_fetch_depth_depths: stored depth of a texel, outside the map of the nearest one inside
+UMBRAGE_HIGHP float umbrage_fetch_depth_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                               UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_decode_depths(umbrage_fetch_clamped_depths(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DEPTH_AT_DEPTHS
+#define UMBRAGE_HAS_DEPTH_AT_DEPTHS
+// umbrage_depth_at_depths: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                            UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth_depths(map, size, floor(uv * size));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE_DEPTHS
+#define UMBRAGE_HAS_COMPARE_DEPTHS
+// umbrage_compare_depths: 1.0 when the receiver is no farther than the stored depth
+UMBRAGE_HIGHP float umbrage_compare_depths(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER_AT_DEPTHS
+#define UMBRAGE_HAS_BLOCKER_AT_DEPTHS
+// umbrage_blocker_at_depths: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP vec2 umbrage_blocker_at_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                             UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_depth_at_depths(map, size, uv);
+    return umbrage_compare_depths(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, stored);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
+#define UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
+// umbrage_blockers_hardware16_depths: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                                      UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                                      UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared_depths(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    return compared ? n : vec2(0.0, 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
+// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
+bool umbrage_beyond_far_shadow(UMBRAGE_HIGHP float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
+#define UMBRAGE_HAS_IS_COMPARED_SHADOW
+// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEFORE_FAR_SHADOW
+#define UMBRAGE_HAS_BEFORE_FAR_SHADOW
+// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far_shadow(UMBRAGE_HIGHP float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_AT_SHADOW
+#define UMBRAGE_HAS_LIT_AT_SHADOW
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                          UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
+    return textureLod(map, vec3(uv, receiver), 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+#define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+// umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                                   UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                                   UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_at_shadow(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_before_far_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
+    return compared ? visibility : 1.0;
+}
+#endif

@@ -1,0 +1,106 @@
+// umbrage 0.1.0, tent2_shadow: sliding window 1 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2DShadow map`, a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters
+//   nearest.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
+// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
+bool umbrage_beyond_far_shadow(UMBRAGE_HIGHP float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
+#define UMBRAGE_HAS_IS_COMPARED_SHADOW
+// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_TEXEL_SHADOW
+#define UMBRAGE_HAS_LIT_TEXEL_SHADOW
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
+UMBRAGE_HIGHP float umbrage_lit_texel_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                             UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float lit = textureLod(map, vec3((texel + 0.5) / size, receiver), 0.0);
+    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_SHADOW
+#define UMBRAGE_HAS_LIT_SHADOW
+// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the nearest one inside
+UMBRAGE_HIGHP float umbrage_lit_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                       UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_texel_shadow(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_2X2_SHADOW
+#define UMBRAGE_HAS_LIT_2X2_SHADOW
+// umbrage_lit_2x2_shadow: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                          UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float a = umbrage_lit_shadow(map, size, texel, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit_shadow(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit_shadow(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit_shadow(map, size, texel + vec2(1.0, 1.0), receiver);
+    return vec4(a, b, c, d);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TENT2_SHADOW
+#define UMBRAGE_HAS_TENT2_SHADOW
+// umbrage_tent2_shadow: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_tent2_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                         UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 r = 256.0 - s;
+    UMBRAGE_HIGHP vec2 w0 = r * 8.0;
+    UMBRAGE_HIGHP vec2 w2 = s * 8.0;
+    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2_shadow(map, size, texel - 1.0, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2_shadow(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2_shadow(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2_shadow(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+#endif

@@ -1,0 +1,122 @@
+// umbrage 0.1.0, window_hardware7_shadow: window of 7 x 7 by 16 of them. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2DShadow map`, a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters
+//   linearly.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
+// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
+bool umbrage_beyond_far_shadow(UMBRAGE_HIGHP float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
+#define UMBRAGE_HAS_IS_COMPARED_SHADOW
+// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEFORE_FAR_SHADOW
+#define UMBRAGE_HAS_BEFORE_FAR_SHADOW
+// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far_shadow(UMBRAGE_HIGHP float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_AT_SHADOW
+#define UMBRAGE_HAS_LIT_AT_SHADOW
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                          UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
+    return textureLod(map, vec3(uv, receiver), 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WINDOW_HARDWARE7_SHADOW
+#define UMBRAGE_HAS_WINDOW_HARDWARE7_SHADOW
+// umbrage_window_hardware7_shadow: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+UMBRAGE_HIGHP float umbrage_window_hardware7_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                                    UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                                    UMBRAGE_HIGHP float k0, UMBRAGE_HIGHP float k1,
+                                                    UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
+    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
+    UMBRAGE_HIGHP vec2 b0 = k1 + s * (k0 - k1);
+    UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
+    UMBRAGE_HIGHP vec2 p0 = (texel - 2.5 + b0 / w0) / size;
+    UMBRAGE_HIGHP vec2 b1 = k3 + s * (k2 - k3);
+    UMBRAGE_HIGHP vec2 w1 = k2 + k3 + s * (k1 - k3);
+    UMBRAGE_HIGHP vec2 p1 = (texel - 0.5 + b1 / w1) / size;
+    UMBRAGE_HIGHP vec2 b2 = k1 + s * (k2 - k1);
+    UMBRAGE_HIGHP vec2 w2 = k2 + k1 + s * (k3 - k1);
+    UMBRAGE_HIGHP vec2 p2 = (texel + 1.5 + b2 / w2) / size;
+    UMBRAGE_HIGHP vec2 b3 = s * k0;
+    UMBRAGE_HIGHP vec2 w3 = k0 + s * k1;
+    UMBRAGE_HIGHP vec2 p3 = (texel + 3.5 + b3 / w3) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP float row = 0.0;
+    row += w0.x * umbrage_lit_at_shadow(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at_shadow(map, size, vec2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at_shadow(map, size, vec2(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_at_shadow(map, size, vec2(p3.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at_shadow(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at_shadow(map, size, vec2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at_shadow(map, size, vec2(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_at_shadow(map, size, vec2(p3.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at_shadow(map, size, vec2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at_shadow(map, size, vec2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at_shadow(map, size, vec2(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_at_shadow(map, size, vec2(p3.x, p2.y), receiver);
+    n += w2.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at_shadow(map, size, vec2(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_at_shadow(map, size, vec2(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_at_shadow(map, size, vec2(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_at_shadow(map, size, vec2(p3.x, p3.y), receiver);
+    n += w3.y * row;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_before_far_shadow(receiver) ? share : 0.0;
+    return compared ? visibility : 1.0;
+}
+#endif

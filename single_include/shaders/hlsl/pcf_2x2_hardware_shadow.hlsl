@@ -1,0 +1,65 @@
+// umbrage 0.1.0, pcf_2x2_hardware_shadow: 2x2 by a comparison sampler with a linear filter. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `Texture2D<float> map, SamplerComparisonState map_sampler`, a depth texture. Its sampler passes receiver <=
+//   depth, clamps to the edge and filters linearly.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+precise bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
+// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_shadow(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
+#define UMBRAGE_HAS_IS_COMPARED_SHADOW
+// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+precise bool umbrage_is_compared_shadow(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEFORE_FAR_SHADOW
+#define UMBRAGE_HAS_BEFORE_FAR_SHADOW
+// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_before_far_shadow(float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_AT_SHADOW
+#define UMBRAGE_HAS_LIT_AT_SHADOW
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 uv,
+                            float receiver) {
+    return map.SampleCmpLevelZero(map_sampler, uv, receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCF_2X2_HARDWARE_SHADOW
+#define UMBRAGE_HAS_PCF_2X2_HARDWARE_SHADOW
+// umbrage_pcf_2x2_hardware_shadow: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_pcf_2x2_hardware_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
+                                      float2 coord, float receiver) {
+    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    float2 at = compared ? coord : float2(0.0, 0.0);
+    float lit = umbrage_lit_at_shadow(map, map_sampler, size, at / size, receiver);
+    float visibility = umbrage_before_far_shadow(receiver) ? lit : 0.0;
+    return compared ? visibility : 1.0;
+}
+#endif

@@ -1,0 +1,241 @@
+// umbrage 0.1.0, pcss_hardware16_shadow: percentage-closer soft shadows (PCSS) at 16 points, one texture bound to two
+//   samplers. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `depth2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Map: `depth2d<float> map, sampler map_sampler`, a depth texture. Its sampler passes receiver <= depth, clamps to
+//   the edge and filters linearly.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_TURN
+#define UMBRAGE_HAS_DISC_TURN
+// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+inline float2 umbrage_disc_turn(float2 pixel) {
+    float2 whole = umbrage_inside_texel_space(pixel) ? metal::floor(pixel) : float2(0.0, 0.0);
+    float v = whole.x * 4.0 + whole.y;
+    v = v - metal::floor(v * (1.0 / 16.0)) * 16.0;
+    float quarter = metal::floor(v * 0.25);
+    float base = v - quarter * 4.0;
+    float2 low = base < 0.5 ? float2(64.0, 0.0) : float2(59.0, 24.0);
+    float2 high = base < 2.5 ? float2(45.0, 45.0) : float2(24.0, 59.0);
+    float2 turn = base < 1.5 ? low : high;
+    float2 once = quarter < 0.5 ? turn : float2(0.0 - turn.y, turn.x);
+    float2 twice = quarter < 2.5 ? float2(0.0 - turn.x, 0.0 - turn.y) : float2(turn.y, 0.0 - turn.x);
+    return quarter < 1.5 ? once : twice;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCSS_RADIUS
+#define UMBRAGE_HAS_PCSS_RADIUS
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    float least = softness.y * 0.0625;
+    return radius > least ? metal::min(radius, softness.z * 0.0625) : least;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_DEPTHS
+#define UMBRAGE_HAS_BEYOND_FAR_DEPTHS
+// umbrage_beyond_far_depths: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_depths(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED_DEPTHS
+#define UMBRAGE_HAS_IS_COMPARED_DEPTHS
+// umbrage_is_compared_depths: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+inline bool umbrage_is_compared_depths(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_depths(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL_DEPTHS
+#define UMBRAGE_HAS_TEXEL_DEPTHS
+// umbrage_texel_depths: value of a texel inside the map; whole numbers, (0, 0) is the first
+inline float4 umbrage_texel_depths(metal::depth2d<float> map, float2 size, float2 texel) {
+    return float4(map.read(uint2(texel)));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED_DEPTHS
+#define UMBRAGE_HAS_FETCH_CLAMPED_DEPTHS
+// umbrage_fetch_clamped_depths: texel of a map; coordinates outside move to the nearest texel inside
+inline float4 umbrage_fetch_clamped_depths(metal::depth2d<float> map, float2 size, float2 texel) {
+    return umbrage_texel_depths(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_DEPTHS
+#define UMBRAGE_HAS_DECODE_DEPTHS
+// umbrage_decode_depths: depth of a texel's value
+inline float umbrage_decode_depths(float4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
+#define UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
+// umbrage_fetch_depth_depths: stored depth of a texel, outside the map of the nearest one inside
+inline float umbrage_fetch_depth_depths(metal::depth2d<float> map, float2 size, float2 texel) {
+    return umbrage_decode_depths(umbrage_fetch_clamped_depths(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DEPTH_AT_DEPTHS
+#define UMBRAGE_HAS_DEPTH_AT_DEPTHS
+// umbrage_depth_at_depths: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_depth_at_depths(metal::depth2d<float> map, float2 size, float2 uv) {
+    return umbrage_fetch_depth_depths(map, size, metal::floor(uv * size));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE_DEPTHS
+#define UMBRAGE_HAS_COMPARE_DEPTHS
+// umbrage_compare_depths: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare_depths(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER_AT_DEPTHS
+#define UMBRAGE_HAS_BLOCKER_AT_DEPTHS
+// umbrage_blocker_at_depths: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float2 umbrage_blocker_at_depths(metal::depth2d<float> map, float2 size, float2 uv, float receiver) {
+    float stored = umbrage_depth_at_depths(map, size, uv);
+    return umbrage_compare_depths(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, stored);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
+#define UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
+// umbrage_blockers_hardware16_depths: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float2 umbrage_blockers_hardware16_depths(metal::depth2d<float> map, float2 size, float2 coord, float receiver,
+                                                 float radius, float2 turn) {
+    bool compared = umbrage_is_compared_depths(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    return compared ? n : float2(0.0, 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
+// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_shadow(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
+#define UMBRAGE_HAS_IS_COMPARED_SHADOW
+// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+inline bool umbrage_is_compared_shadow(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEFORE_FAR_SHADOW
+#define UMBRAGE_HAS_BEFORE_FAR_SHADOW
+// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_before_far_shadow(float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_AT_SHADOW
+#define UMBRAGE_HAS_LIT_AT_SHADOW
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+inline float umbrage_lit_at_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 uv,
+                                   float receiver) {
+    return map.sample_compare(map_sampler, uv, receiver, metal::level(0.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+#define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+// umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_disc_hardware16_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size,
+                                            float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float n = 0.0;
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 14.0 - y * 2.0, receiver);
+    float visibility = umbrage_before_far_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
+    return compared ? visibility : 1.0;
+}
+#endif

@@ -1,0 +1,14 @@
+// umbrage 0.1.0, biased: receiver moved towards the light. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+fn umbrage_biased(receiver: f32, bias: f32) -> f32 {
+    let by: f32 = select(0.0, bias, abs(bias) < 18446744073709551616.0);
+    return select(receiver + by, receiver - by, umbrage_cleared_depth() > 0.5);
+}

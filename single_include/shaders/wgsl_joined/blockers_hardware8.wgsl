@@ -1,0 +1,84 @@
+// umbrage 0.1.0, blockers_hardware8: what lies before a receiver at 8 points of a disc, by a sampler of the nearest
+//   texel. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_decode: depth of a texel's value
+fn umbrage_decode(value: vec4f) -> f32 {
+    return value.x;
+}
+
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_depth_at(map: texture_2d<f32>, size: vec2f, uv: vec2f) -> f32 {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_blocker_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> vec2f {
+    let stored: f32 = umbrage_depth_at(map, size, uv);
+    return select(vec2f(1.0, stored), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);
+}
+
+// umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_blockers_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                              turn: vec2f) -> vec2f {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+    let x: vec2f = scaled / size;
+    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    var n: vec2f = vec2f(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    return select(vec2f(0.0, 0.0), n, compared);
+}

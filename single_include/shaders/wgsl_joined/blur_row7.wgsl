@@ -1,0 +1,31 @@
+// umbrage 0.1.0, blur_row7: mean of texels in a row. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_blur_row7: mean of 7 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+fn umbrage_blur_row7(map: texture_2d<f32>, size: vec2f, texel: vec2f, along: vec2f) -> vec4f {
+    var sum: vec4f = umbrage_fetch_clamped(map, size, texel) * (20.0 / 64.0);
+    let before1: vec4f = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    let after1: vec4f = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (15.0 / 64.0);
+    let before2: vec4f = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    let after2: vec4f = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (6.0 / 64.0);
+    let before3: vec4f = umbrage_fetch_clamped(map, size, texel - along * 3.0);
+    let after3: vec4f = umbrage_fetch_clamped(map, size, texel + along * 3.0);
+    sum = sum + (before3 + after3) * (1.0 / 64.0);
+    return sum;
+}

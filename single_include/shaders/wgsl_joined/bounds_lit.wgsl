@@ -1,0 +1,49 @@
+// umbrage 0.1.0, bounds_lit: visibility where bounds of a filter's texels suffice. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
+//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
+//   coord, receiver  as the filter takes them
+fn umbrage_bounds_lit(bounds: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, place: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
+    let b: vec4f = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
+    let all: f32 = umbrage_compare(receiver, b.x);
+    let some: f32 = umbrage_compare(receiver, b.y);
+    let known: f32 = select(-1.0, all, b.x <= b.y && all == some);  // not of a NaN
+    return select(1.0, known, compared);
+}

@@ -1,0 +1,72 @@
+// umbrage 0.1.0, box_count: lit texels in a box of radius 0..8. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_decode: depth of a texel's value
+fn umbrage_decode(value: vec4f) -> f32 {
+    return value.x;
+}
+
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+
+// umbrage_lit: visibility of one comparison with a texel
+fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+fn umbrage_box_count(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
+    let r: i32 = select(select(8, radius, radius < 8), 0, radius < 0);
+    let width: i32 = 2 * r + 1;
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let first: vec2f = select(vec2f(0.0, 0.0), floor(coord) - f32(r), compared);
+    var count: f32 = 0.0;
+    for (var j: i32 = 0; j < 17; j++) {
+        if (j >= width) { break; }
+        for (var i: i32 = 0; i < 17; i++) {
+            if (i >= width) { break; }
+            count += umbrage_lit(map, size, first + vec2f(f32(i), f32(j)), receiver);
+        }
+    }
+    return select(f32(width * width), count, compared);
+}

@@ -1,0 +1,51 @@
+// umbrage 0.1.0, box_moments: mean and squared distances from it over a box, from a summed-area table. Exactness:
+//   tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+fn umbrage_mend_quotient(q: f32, a: f32, b: f32) -> f32 {
+    let low: f32 = select(q, q - 1.0, q * b > a);
+    return select(low, low + 1.0, (low + 1.0) * b <= a);
+}
+
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
+    return umbrage_mend_quotient(floor(a / b), a, b);
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+fn umbrage_box_moments(map: texture_2d<f32>, size: vec2f, first: vec2f, end: vec2f) -> vec4f {
+    let a: vec4f = umbrage_texel(map, size, end);
+    let b: vec4f = umbrage_texel(map, size, vec2f(first.x, end.y));
+    let c: vec4f = umbrage_texel(map, size, vec2f(end.x, first.y));
+    let d: vec4f = umbrage_texel(map, size, first);
+    let part: vec4f = (a - b) - (c - d);
+    var low: vec2f = vec2f(part.x, part.z);
+    let carry: vec2f = floor(low * (1.0 / 65536.0));
+    var above: vec2f = vec2f(part.y, part.w) + carry;
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, vec2f(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2f(0.0, 0.0));
+    let sum: f32 = above.x * 65536.0 + low.x;
+    let sides: vec2f = max(end - first, vec2f(1.0, 1.0));
+    let n: f32 = sides.x * sides.y;
+    let mean: f32 = umbrage_floor_divide(sum, n);
+    let rest: f32 = max(sum - mean * n, 0.0);
+    var digits: vec2f = vec2f(sum + rest, low.y);
+    let high: vec2f = floor(digits * (1.0 / 4096.0));
+    digits = max(digits - high * 4096.0, vec2f(0.0, 0.0));
+    let below: f32 = digits.y - mean * digits.x;
+    let borrow: f32 = floor(below * (1.0 / 4096.0));
+    var wide: f32 = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return vec4f(mean, rest, wide, below - borrow * 4096.0);
+}

@@ -1,0 +1,9 @@
+// umbrage 0.1.0, compare_dx_sdk: stored + epsilon < receiver is shadow. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+fn umbrage_compare_dx_sdk(receiver: f32, stored: f32, epsilon: f32) -> f32 {
+    let limit: f32 = stored + epsilon;
+    return select(1.0, 0.0, limit < receiver);
+}

@@ -1,0 +1,9 @@
+// umbrage 0.1.0, compare_exercise: current < stored + epsilon is lit. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
+fn umbrage_compare_exercise(current: f32, stored: f32, epsilon: f32) -> f32 {
+    let limit: f32 = stored + epsilon;
+    return select(0.0, 1.0, current < limit);
+}

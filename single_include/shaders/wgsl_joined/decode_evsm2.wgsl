@@ -1,0 +1,68 @@
+// umbrage 0.1.0, decode_evsm2: mean of texels of two components to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
+    let difference: f32 = m.y - m.x * m.x;
+    let variance: f32 = select(min_variance, difference, difference > min_variance);
+    let distance: f32 = receiver - m.x;
+    let sum: f32 = variance + distance * distance;
+    let p: f32 = variance / sum;
+    return select(select(0.0, min(p, 1.0), p > 0.0), 1.0, receiver <= m.x);  // a GPU's v / v may be more than 1.0
+}
+
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+fn umbrage_power_of_two(n: f32) -> f32 {
+    let exponent: u32 = u32(n + 127.0);
+    return bitcast<f32>(exponent << 23);
+}
+
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+fn umbrage_exp2_polynomial(y: f32) -> f32 {
+    let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
+    let n: f32 = floor(x);
+    let f: f32 = x - n;
+    var p: f32 = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+    let y: f32 = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
+
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+fn umbrage_decode_evsm2(m: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
+    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
+    let w: f32 = umbrage_warp_depth(d, exponent);
+    let least: f32 = deviation * w;
+    let least_variance: f32 = least * least;
+    let lit: f32 = umbrage_chebyshev(m, w, least_variance);
+    return select(select(0.0, lit, receiver <= 0.0), lit, receiver > 0.0);
+}

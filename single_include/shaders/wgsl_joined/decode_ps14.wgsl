@@ -1,0 +1,9 @@
+// umbrage 0.1.0, decode_ps14: r / 8 + g as the Radeon 8500 computed it. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+//   1.0 is not the far plane on this scale
+fn umbrage_decode_ps14(c: vec2f) -> f32 {
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}

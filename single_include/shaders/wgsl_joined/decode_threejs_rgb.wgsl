@@ -1,0 +1,11 @@
+// umbrage 0.1.0, decode_threejs_rgb: three.js RGB, r167 and later, to depth. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_rgb: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
+//   reversed depth to (0, 0, 0) / 255. Write umbrage_write_threejs_rgb.
+
+// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+fn umbrage_decode_threejs_rgb(c: vec3f) -> f32 {
+    let depth: f32 = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
+    return depth;
+}

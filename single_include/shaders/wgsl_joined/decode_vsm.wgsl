@@ -1,0 +1,30 @@
+// umbrage 0.1.0, decode_vsm: mean of texels of a variance shadow map to visibility. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
+    let difference: f32 = m.y - m.x * m.x;
+    let variance: f32 = select(min_variance, difference, difference > min_variance);
+    let distance: f32 = receiver - m.x;
+    let sum: f32 = variance + distance * distance;
+    let p: f32 = variance / sum;
+    return select(select(0.0, min(p, 1.0), p > 0.0), 1.0, receiver <= m.x);  // a GPU's v / v may be more than 1.0
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+fn umbrage_decode_vsm(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
+    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+}

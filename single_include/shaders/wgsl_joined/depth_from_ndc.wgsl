@@ -1,0 +1,9 @@
+// umbrage 0.1.0, depth_from_ndc: z/w in [-1, 1] to depth in [0, 1]. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
+fn umbrage_depth_from_ndc(ndc: f32) -> f32 {
+    let depth: f32 = ndc * 0.5 + 0.5;
+    return depth;
+}

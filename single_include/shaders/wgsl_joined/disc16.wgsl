@@ -1,0 +1,99 @@
+// umbrage 0.1.0, disc16: disc of 16 points, turned by the pixel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+fn umbrage_disc_radius(radius: f32) -> f32 {
+    let inside: f32 = select(0.0, floor(radius * 16.0), radius > 0.0);
+    return select(inside, 4095.0, radius >= 255.9375);
+}
+
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+fn umbrage_disc_tap(position: vec2f, p: vec2f, turn: vec2f, radius: f32) -> vec2f {
+    let at: vec2f = position * (1.0 / 256.0);
+    let texel: vec2f = floor(at);
+    let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
+    let scaled: vec2f = turn * (radius * (1.0 / 16384.0));
+    let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
+    let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + floor(vec2f(x, y));
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_decode: depth of a texel's value
+fn umbrage_decode(value: vec4f) -> f32 {
+    return value.x;
+}
+
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+
+// umbrage_lit: visibility of one comparison with a texel
+fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+
+// umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    let rho: f32 = umbrage_disc_radius(radius);
+    var n: f32 = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-1.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), turn, rho), receiver);
+    return select(1.0, n * (1.0 / 16.0), compared);
+}

@@ -1,0 +1,117 @@
+// umbrage 0.1.0, disc_hardware8: disc of 8 points by a comparison sampler with a linear filter. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+fn umbrage_before_far(receiver: f32) -> bool {
+    return receiver <= 1.0;
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_decode: depth of a texel's value
+fn umbrage_decode(value: vec4f) -> f32 {
+    return value.x;
+}
+
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+
+// umbrage_lit: visibility of one comparison with a texel
+fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_lit_2x2(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let a: f32 = umbrage_lit(map, size, texel, receiver);
+    let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
+    let c: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
+    let d: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
+    return vec4f(a, b, c, d);
+}
+
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
+    let lit: vec4f = umbrage_lit_2x2(map, size, texel, receiver);
+    let visibility: f32 = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    return select(1.0, visibility, compared);
+}
+
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+fn umbrage_lit_filtered(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    return umbrage_pcf_2x2(map, size, clamp(coord, vec2f(-32767.0, -32767.0), vec2f(32767.0, 32767.0)), receiver);
+}
+
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+
+// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_disc_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                          turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+    let x: vec2f = scaled / size;
+    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    var n: f32 = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    let visibility: f32 = select(0.0, n * (1.0 / 8.0), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
+}

@@ -1,0 +1,16 @@
+// umbrage 0.1.0, distance_code: a depth as 16 bits of distance from the near plane. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+fn umbrage_distance_code(depth: f32) -> f32 {
+    let v: f32 = depth * 65536.0;
+    let forward: f32 = select(65535.0, floor(max(v, 0.0)), v < 65535.0);
+    let reversed: f32 = select(0.0, floor(min(v, 65535.0)), v > 0.0);
+    return select(65535.0 - reversed, forward, umbrage_cleared_depth() > 0.5);
+}

@@ -1,0 +1,20 @@
+// umbrage 0.1.0, dither_threshold: one of 16 thresholds for a pixel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+fn umbrage_dither_threshold(pixel: vec2f) -> f32 {
+    let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
+    let high: vec2f = floor(whole * 0.5);
+    let above: vec2f = floor(whole * 0.25);
+    let b0: vec2f = whole - high * 2.0;
+    let b1: vec2f = high - above * 2.0;
+    let m: f32 = abs(b0.x - b0.y) * 8.0 + b0.y * 4.0 + abs(b1.x - b1.y) * 2.0 + b1.y;
+    return (m + 0.5) * (1.0 / 16.0);
+}

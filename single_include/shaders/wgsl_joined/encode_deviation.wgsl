@@ -1,0 +1,9 @@
+// umbrage 0.1.0, encode_deviation: depth's two moments to mean and deviation. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
+fn umbrage_encode_deviation(m: vec2f) -> vec2f {
+    let variance: f32 = m.y - m.x * m.x;
+    return vec2f(m.x, 2.0 * sqrt(select(0.0, variance, variance > 0.0)));
+}

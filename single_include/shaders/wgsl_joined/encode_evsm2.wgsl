@@ -1,0 +1,53 @@
+// umbrage 0.1.0, encode_evsm2: depth to a texel of two components. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of evsm2: RG32F, not sRGB, no blending, one sample. Clear to umbrage_encode_evsm2 of the far plane's
+//   depth.
+
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+fn umbrage_power_of_two(n: f32) -> f32 {
+    let exponent: u32 = u32(n + 127.0);
+    return bitcast<f32>(exponent << 23);
+}
+
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+fn umbrage_exp2_polynomial(y: f32) -> f32 {
+    let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
+    let n: f32 = floor(x);
+    let f: f32 = x - n;
+    var p: f32 = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+    let y: f32 = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
+
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+
+// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+fn umbrage_encode_evsm2(depth: f32, exponent: f32) -> vec2f {
+    let w: f32 = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return vec2f(w, w * w);
+}

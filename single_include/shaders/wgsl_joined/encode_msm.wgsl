@@ -1,0 +1,30 @@
+// umbrage 0.1.0, encode_msm: depth to its first four powers on [-1, 1]. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of msm: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far plane's
+//   depth.
+// Render target of msm_hausdorff: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far
+//   plane's depth.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
+
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+fn umbrage_encode_msm(depth: f32) -> vec4f {
+    let z: f32 = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    let square: f32 = z * z;
+    return vec4f(z, square, square * z, square * square);
+}

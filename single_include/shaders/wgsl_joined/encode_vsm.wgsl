@@ -1,0 +1,27 @@
+// umbrage 0.1.0, encode_vsm: depth to a texel of a variance shadow map. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of vsm: RG32F, not sRGB, no blending, one sample. Clear to umbrage_encode_vsm of the far plane's
+//   depth.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
+
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+
+// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+fn umbrage_encode_vsm(depth: f32) -> vec2f {
+    let d: f32 = umbrage_forward_depth(umbrage_saturate(depth));
+    return vec2f(d, d * d);
+}

@@ -1,0 +1,106 @@
+// umbrage 0.1.0, esm: visibility from a map of encode_esm's texels. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Render target of esm: R32F, not sRGB, no blending, one sample. Clear to umbrage_encode_esm of the far plane's
+//   depth.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+fn umbrage_power_of_two(n: f32) -> f32 {
+    let exponent: u32 = u32(n + 127.0);
+    return bitcast<f32>(exponent << 23);
+}
+
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+fn umbrage_exp2_polynomial(y: f32) -> f32 {
+    let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
+    let n: f32 = floor(x);
+    let f: f32 = x - n;
+    var p: f32 = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+    let y: f32 = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> vec4f {
+    let x: vec2f = floor(coord * 256.0) - 128.0;
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
+    let a: vec4f = umbrage_fetch_clamped(map, size, texel);
+    let b: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 0.0));
+    let c: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(0.0, 1.0));
+    let d: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 1.0));
+    let low: vec4f = a * lo.x + b * hi.x;
+    let high: vec4f = c * lo.x + d * hi.x;
+    let mean: vec4f = low * lo.y + high * hi.y;
+    return mean;
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+fn umbrage_decode_esm(m: f32, receiver: f32, exponent: f32) -> f32 {
+    let d: f32 = umbrage_forward_depth(receiver);
+    let p: f32 = m * umbrage_warp_depth(d, -exponent);
+    let lit: f32 = select(select(0.0, 1.0, p >= 1.0), p, p > 0.0 && p < 1.0);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}
+
+// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent  as of the texels
+fn umbrage_esm(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, exponent: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_esm(m.x, receiver, exponent);
+    return select(1.0, lit, compared);
+}

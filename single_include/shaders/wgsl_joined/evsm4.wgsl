@@ -1,0 +1,130 @@
+// umbrage 0.1.0, evsm4: visibility from a map of encode_evsm4's texels. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Render target of evsm4: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_evsm4 of the far
+//   plane's depth.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
+    let difference: f32 = m.y - m.x * m.x;
+    let variance: f32 = select(min_variance, difference, difference > min_variance);
+    let distance: f32 = receiver - m.x;
+    let sum: f32 = variance + distance * distance;
+    let p: f32 = variance / sum;
+    return select(select(0.0, min(p, 1.0), p > 0.0), 1.0, receiver <= m.x);  // a GPU's v / v may be more than 1.0
+}
+
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+fn umbrage_power_of_two(n: f32) -> f32 {
+    let exponent: u32 = u32(n + 127.0);
+    return bitcast<f32>(exponent << 23);
+}
+
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+fn umbrage_exp2_polynomial(y: f32) -> f32 {
+    let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
+    let n: f32 = floor(x);
+    let f: f32 = x - n;
+    var p: f32 = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+    let y: f32 = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> vec4f {
+    let x: vec2f = floor(coord * 256.0) - 128.0;
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
+    let a: vec4f = umbrage_fetch_clamped(map, size, texel);
+    let b: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 0.0));
+    let c: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(0.0, 1.0));
+    let d: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 1.0));
+    let low: vec4f = a * lo.x + b * hi.x;
+    let high: vec4f = c * lo.x + d * hi.x;
+    let mean: vec4f = low * lo.y + high * hi.y;
+    return mean;
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
+
+// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers
+fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
+    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
+    let w: f32 = umbrage_warp_depth(d, exponents.x);
+    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    let least: vec2f = deviations * vec2f(w, n);
+    let least_variance: vec2f = least * least;
+    let a: f32 = umbrage_chebyshev(vec2f(m.x, m.y), w, least_variance.x);
+    let b: f32 = umbrage_chebyshev(vec2f(m.z, m.w), n, least_variance.y);
+    let lit: f32 = select(b, a, a < b);
+    return select(select(0.0, lit, receiver <= 0.0), lit, receiver > 0.0);
+}
+
+// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+fn umbrage_evsm4(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, exponents: vec2f,
+                 deviations: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_evsm4(m, receiver, exponents, deviations);
+    return select(1.0, lit, compared);
+}

@@ -1,0 +1,32 @@
+// umbrage 0.1.0, fetch_bilinear: mean of the four texels around a point. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> vec4f {
+    let x: vec2f = floor(coord * 256.0) - 128.0;
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
+    let a: vec4f = umbrage_fetch_clamped(map, size, texel);
+    let b: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 0.0));
+    let c: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(0.0, 1.0));
+    let d: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 1.0));
+    let low: vec4f = a * lo.x + b * hi.x;
+    let high: vec4f = c * lo.x + d * hi.x;
+    let mean: vec4f = low * lo.y + high * hi.y;
+    return mean;
+}

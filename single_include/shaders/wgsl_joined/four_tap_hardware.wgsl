@@ -1,0 +1,56 @@
+// umbrage 0.1.0, four_tap_hardware: mean of four taps that a sampler of the nearest texel takes. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_decode: depth of a texel's value
+fn umbrage_decode(value: vec4f) -> f32 {
+    return value.x;
+}
+
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_depth_at(map: texture_2d<f32>, size: vec2f, uv: vec2f) -> f32 {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
+//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+fn umbrage_four_tap_hardware(map: texture_2d<f32>, size: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f,
+                             receiver: f32) -> f32 {
+    let sum: vec2f = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
+    let compared: bool = select((sum.x + sum.y < 131072.0), false, umbrage_beyond_far(receiver));
+    let count: f32 = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, d));
+    return select(1.0, count * 0.25, compared);
+}

@@ -1,0 +1,17 @@
+// umbrage 0.1.0, from_unorm: value read from an 8-bit texture to channel 0..255. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+fn umbrage_from_unorm(c: f32) -> f32 {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec2f(c: vec2f) -> vec2f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec3f(c: vec3f) -> vec3f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
+    return floor(c * 255.0 + 0.5);
+}

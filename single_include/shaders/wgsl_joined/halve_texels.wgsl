@@ -1,0 +1,26 @@
+// umbrage 0.1.0, halve_texels: mean of 2x2 texels. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+fn umbrage_halve_texels(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    let at: vec2f = texel * 2.0;
+    let a: vec4f = umbrage_fetch_clamped(map, size, at);
+    let b: vec4f = umbrage_fetch_clamped(map, size, at + vec2f(1.0, 0.0));
+    let c: vec4f = umbrage_fetch_clamped(map, size, at + vec2f(0.0, 1.0));
+    let d: vec4f = umbrage_fetch_clamped(map, size, at + vec2f(1.0, 1.0));
+    let sum: vec4f = (a + b) + (c + d);
+    return sum * 0.25;
+}

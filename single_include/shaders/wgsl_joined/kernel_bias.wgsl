@@ -1,0 +1,19 @@
+// umbrage 0.1.0, kernel_bias: bias by the kernel's width and the angle at which light falls. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+fn umbrage_kernel_bias(normal: vec3f, direction: vec3f, way: vec3f, width: f32, greatest: f32) -> f32 {
+    let x: f32 = normal.y * direction.z + normal.z * -direction.y;
+    let y: f32 = normal.z * direction.x + normal.x * -direction.z;
+    let z: f32 = normal.x * direction.y + normal.y * -direction.x;
+    let square: f32 = x * x + y * y + z * z;
+    let sine: f32 = sqrt(square);
+    let cosine: f32 = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    let edge: f32 = cosine * greatest;
+    let tangent: f32 = select(greatest, sine / cosine, edge > sine);
+    let bias: f32 = width * tangent;
+    return select(0.0, bias, bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0);
+}

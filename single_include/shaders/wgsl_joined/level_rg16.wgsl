@@ -1,0 +1,9 @@
+// umbrage 0.1.0, level_rg16: two channels to a level to compare with. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_level_rg16: two channels of a 16-bit code, as sampled, to the scale of umbrage_receiver_rg16, on which 1.0 is
+//   not the far plane
+fn umbrage_level_rg16(c: vec2f) -> f32 {
+    return c.x + c.y * 256.0;  // an exact product: fused or not, it rounds once
+}

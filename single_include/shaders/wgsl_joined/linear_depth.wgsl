@@ -1,0 +1,8 @@
+// umbrage 0.1.0, linear_depth: view-space z over z_far. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+fn umbrage_linear_depth(z_view: f32, inv_z_far: f32) -> f32 {
+    return z_view * inv_z_far;
+}

@@ -1,0 +1,9 @@
+// umbrage 0.1.0, orthographic_depth_from_view_z: view-space z to orthographic depth. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+fn umbrage_orthographic_depth_from_view_z(z_view: f32, z_near: f32, z_far: f32) -> f32 {
+    return (z_view - z_near) / (z_far - z_near);
+}

@@ -1,0 +1,70 @@
+// umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 as the DirectX SDK sample, plain floats. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+fn umbrage_compare_dx_sdk(receiver: f32, stored: f32, epsilon: f32) -> f32 {
+    let limit: f32 = stored + epsilon;
+    return select(1.0, 0.0, limit < receiver);
+}
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_decode: depth of a texel's value
+fn umbrage_decode(value: vec4f) -> f32 {
+    return value.x;
+}
+
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+fn umbrage_pcf_2x2_dx_sdk(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, epsilon: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x);
+    let weight: vec2f = x - texel;
+    let a: f32 = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    let right: f32 = umbrage_fetch_depth(map, size, texel + vec2f(1.0, 0.0));
+    let above: f32 = umbrage_fetch_depth(map, size, texel + vec2f(0.0, 1.0));
+    let beyond: f32 = umbrage_fetch_depth(map, size, texel + vec2f(1.0, 1.0));
+    let b: f32 = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    let c: f32 = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    let d: f32 = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
+    let low: f32 = a + weight.x * (b - a);
+    let high: f32 = c + weight.x * (d - c);
+    let visibility: f32 = low + weight.y * (high - low);
+    return select(1.0, visibility, compared);
+}

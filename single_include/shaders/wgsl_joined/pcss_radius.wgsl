@@ -1,0 +1,19 @@
+// umbrage 0.1.0, pcss_radius: radius of a penumbra from the mean depth of blockers. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
+    let forward: bool = umbrage_cleared_depth() > 0.5;
+    let mean: f32 = select(select(1.0, 0.0, forward), found.y / found.x, found.x > 0.5);
+    let radius: f32 = select(mean - receiver, receiver - mean, forward) * (softness.x * 4096.0);
+    let least: f32 = softness.y * 0.0625;
+    return select(least, min(radius, softness.z * 0.0625), radius > least);
+}

@@ -1,0 +1,9 @@
+// umbrage 0.1.0, project_coordinate: the division by w, lit behind the light. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+fn umbrage_project_coordinate(coordinate: vec4f) -> vec3f {
+    let p: vec3f = vec3f(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return select(vec3f(65536.0, 65536.0, 0.0), p, coordinate.w > 0.0);
+}

@@ -1,0 +1,8 @@
+// umbrage 0.1.0, project_depth: z / w, far behind the light. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+fn umbrage_project_depth(z: f32, w: f32, cleared: f32) -> f32 {
+    return select(cleared, z / w, w > 0.0);
+}

@@ -1,0 +1,10 @@
+// umbrage 0.1.0, receiver_rg14: receiver to a level, for maps that are not decoded. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_receiver_rg14: receiver on the scale of umbrage_level_rg14: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg14(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg14(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 16384.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}

@@ -1,0 +1,9 @@
+// umbrage 0.1.0, tap_coordinate: a tap's coordinate from the middle's, before the division. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+fn umbrage_tap_coordinate(coordinate: vec4f, offset: vec2f) -> vec4f {
+    let moved: vec2f = vec2f(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return vec4f(moved.x, moved.y, coordinate.z, coordinate.w);
+}

@@ -1,0 +1,70 @@
+// umbrage 0.1.0, tent2_shadow: sliding window 1 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=
+//   depth, clamps to the edge and filters nearest.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
+fn umbrage_beyond_far_shadow(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared_shadow(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_shadow(receiver));
+}
+
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
+fn umbrage_lit_texel_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
+                            receiver: f32) -> f32 {
+    let lit: f32 = textureSampleCompareLevel(map, map_sampler, (texel + 0.5) / size, receiver);
+    return select(0.0, lit, receiver > 0.0) + select(0.0, lit, receiver <= 0.0);
+}
+
+// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the nearest one inside
+fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
+                      receiver: f32) -> f32 {
+    return umbrage_lit_texel_shadow(map, map_sampler, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
+}
+
+// umbrage_lit_2x2_shadow: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_lit_2x2_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
+                          receiver: f32) -> vec4f {
+    let a: f32 = umbrage_lit_shadow(map, map_sampler, size, texel, receiver);
+    let b: f32 = umbrage_lit_shadow(map, map_sampler, size, texel + vec2f(1.0, 0.0), receiver);
+    let c: f32 = umbrage_lit_shadow(map, map_sampler, size, texel + vec2f(0.0, 1.0), receiver);
+    let d: f32 = umbrage_lit_shadow(map, map_sampler, size, texel + vec2f(1.0, 1.0), receiver);
+    return vec4f(a, b, c, d);
+}
+
+// umbrage_tent2_shadow: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_tent2_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
+                        receiver: f32) -> f32 {
+    let compared: bool = umbrage_is_compared_shadow(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    let s: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
+    let r: vec2f = 256.0 - s;
+    let w0: vec2f = r * 8.0;
+    let w2: vec2f = s * 8.0;
+    let w1: vec2f = max(4096.0 - w0 - w2, vec2f(0.0, 0.0));
+    let a: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, texel - 1.0, receiver);
+    let b: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, texel + vec2f(1.0, -1.0), receiver);
+    let c: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, texel + vec2f(-1.0, 1.0), receiver);
+    let d: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, texel + vec2f(1.0, 1.0), receiver);
+    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
+    return select(1.0, n * (1.0 / 16777216.0), compared);
+}

@@ -1,0 +1,85 @@
+// umbrage 0.1.0, tent3_shadow: sliding window 1 2 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=
+//   depth, clamps to the edge and filters nearest.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
+fn umbrage_beyond_far_shadow(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared_shadow(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_shadow(receiver));
+}
+
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
+fn umbrage_lit_texel_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
+                            receiver: f32) -> f32 {
+    let lit: f32 = textureSampleCompareLevel(map, map_sampler, (texel + 0.5) / size, receiver);
+    return select(0.0, lit, receiver > 0.0) + select(0.0, lit, receiver <= 0.0);
+}
+
+// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the nearest one inside
+fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
+                      receiver: f32) -> f32 {
+    return umbrage_lit_texel_shadow(map, map_sampler, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
+}
+
+// umbrage_lit_2x2_shadow: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_lit_2x2_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
+                          receiver: f32) -> vec4f {
+    let a: f32 = umbrage_lit_shadow(map, map_sampler, size, texel, receiver);
+    let b: f32 = umbrage_lit_shadow(map, map_sampler, size, texel + vec2f(1.0, 0.0), receiver);
+    let c: f32 = umbrage_lit_shadow(map, map_sampler, size, texel + vec2f(0.0, 1.0), receiver);
+    let d: f32 = umbrage_lit_shadow(map, map_sampler, size, texel + vec2f(1.0, 1.0), receiver);
+    return vec4f(a, b, c, d);
+}
+
+// umbrage_window_sum3_shadow: weighted count of the lit texels under weights that slide over the map, whole
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_sum3_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
+                              receiver: f32, steps: f32, k0: f32, k1: f32) -> f32 {
+    let compared: bool = umbrage_is_compared_shadow(coord, receiver);  // no branch: fetches overlap
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k0);
+    let w0: vec2f = floor(r * k0);
+    let w2: vec2f = floor(r * k0 + s * k1);
+    let w3: vec2f = floor(s * k0);
+    let w1: vec2f = max(whole - (w0 + w2 + w3), vec2f(0.0, 0.0));
+    let first: vec2f = texel - 1.0;
+    var n: f32 = 0.0;
+    var a: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, first + vec2f(0.0, 0.0), receiver);
+    var b: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, first + vec2f(2.0, 0.0), receiver);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    a = umbrage_lit_2x2_shadow(map, map_sampler, size, first + vec2f(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2_shadow(map, map_sampler, size, first + vec2f(2.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    return select(whole * whole, n, compared);
+}
+
+// umbrage_tent3_shadow: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_tent3_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
+                        receiver: f32) -> f32 {
+    let n: f32 = umbrage_window_sum3_shadow(map, map_sampler, size, coord, receiver, 256.0, 4.0, 8.0);
+    return n * (1.0 / 16777216.0);
+}

@@ -1,0 +1,12 @@
+// umbrage 0.1.0, tetrahedron_face: face of a tetrahedron that a direction meets. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+fn umbrage_tetrahedron_face(direction: vec3f) -> f32 {
+    let beside: f32 = abs(direction.z) - abs(direction.x);
+    let up: f32 = direction.y * 1.414213562;
+    let z: f32 = select(0.0, 1.0, direction.z < 0.0);
+    let x: f32 = select(2.0, 3.0, direction.x < 0.0);
+    return select(x, z, beside >= up);
+}

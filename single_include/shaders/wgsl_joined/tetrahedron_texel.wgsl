@@ -1,0 +1,15 @@
+// umbrage 0.1.0, tetrahedron_texel: a point of a tetrahedron's face in the map. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
+//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+fn umbrage_tetrahedron_texel(at: vec3f, size: f32, border: f32) -> vec2f {
+    let half_size: f32 = size * 0.5;
+    let scale: f32 = half_size - border * 3.0;
+    let x: f32 = at.x * scale;
+    let y: f32 = at.y * scale + (border - half_size);
+    let off: vec2f = select(vec2f(-y, x), vec2f(x, y), at.z < 1.5);
+    let texel: vec2f = half_size + select(-off, off, at.z < 0.5 || (at.z > 1.5 && at.z < 2.5));
+    return texel;
+}

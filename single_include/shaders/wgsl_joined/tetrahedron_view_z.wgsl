@@ -1,0 +1,29 @@
+// umbrage 0.1.0, tetrahedron_view_z: distance along the normal of the tetrahedron's face that a direction meets.
+//   Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+fn umbrage_tetrahedron_face(direction: vec3f) -> f32 {
+    let beside: f32 = abs(direction.z) - abs(direction.x);
+    let up: f32 = direction.y * 1.414213562;
+    let z: f32 = select(0.0, 1.0, direction.z < 0.0);
+    let x: f32 = select(2.0, 3.0, direction.x < 0.0);
+    return select(x, z, beside >= up);
+}
+
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+fn umbrage_tetrahedron_plane(direction: vec3f) -> vec3f {
+    let face: f32 = umbrage_tetrahedron_face(direction);
+    let d: vec3f = direction;
+    let z: vec3f = select(vec3f(d.x, d.y, -d.z), vec3f(-d.x, d.y, d.z), face < 0.5);
+    let x: vec3f = select(vec3f(d.z, -d.y, -d.x), vec3f(-d.z, -d.y, d.x), face < 2.5);
+    return select(x, z, face < 1.5);
+}
+
+// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+fn umbrage_tetrahedron_view_z(direction: vec3f) -> f32 {
+    let p: vec3f = umbrage_tetrahedron_plane(direction);
+    let z: f32 = p.z * 0.816496581 + p.y * -0.577350269;
+    return z;
+}

@@ -1,0 +1,75 @@
+// umbrage 0.1.0, window_hardware5_shadow: window of 5 x 5 by 9 of them. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=
+//   depth, clamps to the edge and filters linearly.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
+fn umbrage_beyond_far_shadow(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared_shadow(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_shadow(receiver));
+}
+
+// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
+fn umbrage_before_far_shadow(receiver: f32) -> bool {
+    return receiver <= 1.0;
+}
+
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, uv: vec2f,
+                         receiver: f32) -> f32 {
+    return textureSampleCompareLevel(map, map_sampler, uv, receiver);
+}
+
+// umbrage_window_hardware5_shadow: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
+fn umbrage_window_hardware5_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
+                                   receiver: f32, k0: f32, k1: f32, k2: f32) -> f32 {
+    let compared: bool = umbrage_is_compared_shadow(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
+    let texel: vec2f = floor(x);
+    let s: vec2f = x - texel;
+    let whole: f32 = k0 + k1 + k2 + k1 + k0;
+    let b0: vec2f = k1 + s * (k0 - k1);
+    let w0: vec2f = k0 + k1 - s * k1;
+    let p0: vec2f = (texel - 1.5 + b0 / w0) / size;
+    let b1: vec2f = k1 + s * (k2 - k1);
+    let w1: vec2f = vec2f(k2 + k1, k2 + k1);
+    let p1: vec2f = (texel + 0.5 + b1 / w1) / size;
+    let b2: vec2f = s * k0;
+    let w2: vec2f = k0 + s * k1;
+    let p2: vec2f = (texel + 2.5 + b2 / w2) / size;
+    var n: f32 = 0.0;
+    var row: f32 = 0.0;
+    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, vec2f(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, vec2f(p2.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, vec2f(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, vec2f(p2.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, vec2f(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, vec2f(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, vec2f(p2.x, p2.y), receiver);
+    n += w2.y * row;
+    let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
+    let visibility: f32 = select(0.0, share, umbrage_before_far_shadow(receiver));
+    return select(1.0, visibility, compared);
+}

@@ -1,0 +1,146 @@
+// umbrage 0.1.0, window_hardware7: window of 7 x 7 by 16 of them. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+fn umbrage_before_far(receiver: f32) -> bool {
+    return receiver <= 1.0;
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_decode: depth of a texel's value
+fn umbrage_decode(value: vec4f) -> f32 {
+    return value.x;
+}
+
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+
+// umbrage_lit: visibility of one comparison with a texel
+fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_lit_2x2(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let a: f32 = umbrage_lit(map, size, texel, receiver);
+    let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
+    let c: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
+    let d: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
+    return vec4f(a, b, c, d);
+}
+
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let lo: vec2f = 1.0 - hi;
+    let lit: vec4f = umbrage_lit_2x2(map, size, texel, receiver);
+    let visibility: f32 = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    return select(1.0, visibility, compared);
+}
+
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+fn umbrage_lit_filtered(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    return umbrage_pcf_2x2(map, size, clamp(coord, vec2f(-32767.0, -32767.0), vec2f(32767.0, 32767.0)), receiver);
+}
+
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+
+// umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+fn umbrage_window_hardware7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32, k2: f32,
+                            k3: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
+    let texel: vec2f = floor(x);
+    let s: vec2f = x - texel;
+    let whole: f32 = k0 + k1 + k2 + k3 + k2 + k1 + k0;
+    let b0: vec2f = k1 + s * (k0 - k1);
+    let w0: vec2f = k0 + k1 - s * k1;
+    let p0: vec2f = (texel - 2.5 + b0 / w0) / size;
+    let b1: vec2f = k3 + s * (k2 - k3);
+    let w1: vec2f = k2 + k3 + s * (k1 - k3);
+    let p1: vec2f = (texel - 0.5 + b1 / w1) / size;
+    let b2: vec2f = k1 + s * (k2 - k1);
+    let w2: vec2f = k2 + k1 + s * (k3 - k1);
+    let p2: vec2f = (texel + 1.5 + b2 / w2) / size;
+    let b3: vec2f = s * k0;
+    let w3: vec2f = k0 + s * k1;
+    let p3: vec2f = (texel + 3.5 + b3 / w3) / size;
+    var n: f32 = 0.0;
+    var row: f32 = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p2.y), receiver);
+    n += w2.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p3.y), receiver);
+    n += w3.y * row;
+    let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
+    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
+}

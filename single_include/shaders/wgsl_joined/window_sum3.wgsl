@@ -1,0 +1,92 @@
+// umbrage 0.1.0, window_sum3: weighted count of lit texels under a window of 3 x 3. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+
+// umbrage_decode: depth of a texel's value
+fn umbrage_decode(value: vec4f) -> f32 {
+    return value.x;
+}
+
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+
+// umbrage_lit: visibility of one comparison with a texel
+fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_lit_2x2(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let a: f32 = umbrage_lit(map, size, texel, receiver);
+    let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
+    let c: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
+    let d: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
+    return vec4f(a, b, c, d);
+}
+
+// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_sum3(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32,
+                       k1: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k0);
+    let w0: vec2f = floor(r * k0);
+    let w2: vec2f = floor(r * k0 + s * k1);
+    let w3: vec2f = floor(s * k0);
+    let w1: vec2f = max(whole - (w0 + w2 + w3), vec2f(0.0, 0.0));
+    let first: vec2f = texel - 1.0;
+    var n: f32 = 0.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);
+    var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    return select(whole * whole, n, compared);
+}

@@ -1,0 +1,17 @@
+// umbrage 0.1.0, world_to_depth: world units along a light as depth. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+fn umbrage_clamp_bias(bias: f32) -> f32 {
+    let least: f32 = (1.0 / 18446744073709551616.0);
+    return select(select(1.0, 0.0, bias < least), bias, bias >= least && bias < 1.0);
+}
+
+// umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+fn umbrage_world_to_depth(world: f32, units: vec2f, w: f32) -> f32 {
+    let along: f32 = world * units.y;
+    let square: f32 = w * w;
+    return umbrage_clamp_bias(along / square);
+}

@@ -1,0 +1,26 @@
+// umbrage 0.1.0, write_threejs_rgb: depth to three.js RGB, r167 and later. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_rgb: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
+//   reversed depth to (0, 0, 0) / 255. Write umbrage_write_threejs_rgb.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
+
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+fn umbrage_write_threejs_rgb(depth: f32) -> vec3f {
+    let v: f32 = umbrage_saturate(depth);
+    let x: f32 = v * 65536.0;
+    let whole: f32 = floor(x);
+    let high: f32 = floor(whole * (1.0 / 256.0));
+    let c: vec3f = vec3f(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return select(vec3f(1.0, 1.0, 1.0), c, v < 1.0);
+}
