@@ -101,7 +101,7 @@ proof read_proof(const std::filesystem::path& reports) {
             t.differing += one.differing;
             for (const auto& [what, count] : one.classes) t.classes[what] += count;
         }
-        text.primitives += "| " + f.label() + " | " + tier_of(*f.first) + " | " + grouped(t.inputs) + " | ";
+        text.primitives += "| " + f.label() + " | " + umbrage::glsl::promise(*f.first) + " | " + grouped(t.inputs) + " | ";
         std::string separator;
         for (const auto& [what, count] : t.classes) {
             text.primitives += separator + what + " " + grouped(count);

@@ -21,7 +21,6 @@ struct family {
 };
 [[nodiscard]] std::vector<family> families();
 
-[[nodiscard]] std::string tier_of(const umbrage::glsl::snippet& s);
 
 /// What stands between the page's marks, by their names.
 [[nodiscard]] std::string primitives();
