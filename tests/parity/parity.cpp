@@ -93,10 +93,10 @@ options parse(int argc, char** argv) {
 
 constexpr std::size_t at_most = std::size_t(1) << 20;  // inputs of one draw
 
-std::string tier_name(const snippet& s) {
-    const std::string names[] = {"A", "B", "C"};
+std::string tier_name(const entry& e) {
+    const snippet& s = *e.primitive;
     std::ostringstream all;
-    all << names[static_cast<int>(s.exactness)];
+    all << "ABC"[static_cast<int>(e.exactness())];
     if (s.within > 0.0f) all << ' ' << std::setprecision(2) << s.within;
     else if (s.exactness == tier::c) all << ' ' << s.ulp << " ulp";
     return all.str();
@@ -118,7 +118,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     for (dialect d : b.dialects())
         if (e.runs_in(d) && o.wants(b, d) && o.samples(e, b, d) && o.inputs(e, d, only) > 0) dialects.push_back(d);
     std::vector<row> rows;
-    for (dialect d : dialects) rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(d), b.obstacle(e)});
+    for (dialect d : dialects) rows.push_back({e.name(), tier_name(e), b.name(), b.label(d), b.obstacle(e)});
     if (rows.empty() || !rows.front().obstacle.empty()) return rows;
 
     std::size_t most = 0;
