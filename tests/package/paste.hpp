@@ -136,12 +136,17 @@ inline std::string map_of(const shader_language& l, const glsl::bound& item) {
 /// What stands above a text, in place of its first line.
 inline std::string with_head(const shader_language& l, const std::string& copyright, const std::string& name,
                              std::string_view summary, const std::vector<glsl::bound>& items, const std::string& text) {
+    const glsl::tier exactness = glsl::exactness(items);
+    const std::string note = glsl::detail::order_note(*l.words, exactness);
     std::string head = comment("umbrage " + version + ", " + name + ": " + std::string(summary) + ". Exactness: tier " +
-                               "ABC"[static_cast<int>(glsl::exactness(items))] + '.');
+                               "ABC"[static_cast<int>(exactness)] + '.');
+    head += note;
     head += "// SPDX-License-Identifier: MIT\n";
     head += "// " + copyright + ". License text: LICENSE in the umbrage repository.\n";
     for (const glsl::bound& item : items) head += map_of(l, item) + targets_of(item.what);
-    return head + options_of(text) + text.substr(text.find('\n') + 1);
+    std::string rest = text.substr(text.find('\n') + 1);
+    if (rest.starts_with(note)) rest.erase(0, note.size());
+    return head + options_of(text) + rest;
 }
 
 /// A snippet, as the shader's one map has it, behind all it needs.

@@ -30,6 +30,9 @@ for (const { language, file, name, text, lines, head } of files) {
     check(!text.includes('://'), file, 'no address');
     const tier = snippets[name]?.exactness.toUpperCase();
     if (tier && language !== 'wgsl') check(head.includes(`Exactness: tier ${tier}.`), file, `tier ${tier}`);
+    const reordered = { glsl: 'GLSL below 400 and 320 es', wgsl: 'WGSL', wgsl_joined: 'WGSL' }[language];
+    const note = tier && tier !== 'A' && reordered ? 1 : 0;
+    if (tier) check(text.split(`\n// Tier ${tier}: ${reordered} lets compilers`).length === 1 + note, file, 'what is forbidden');
     for (const [, macro] of text.matchAll(/^#ifn?def (UMBRAGE_(?!HAS_|HIGHP|PRECISE)\w+)$/gm))
         check(head.includes(`\n//   ${macro}`), file, `option ${macro}`);
     const reads = ['fetch_depth', 'lit_texel'].some(hook => new RegExp(`umbrage_${hook}\\w*\\(`).test(text));

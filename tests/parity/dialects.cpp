@@ -36,10 +36,10 @@ struct compiler {
         if (!(file << text).flush()) throw std::runtime_error("cannot write " + path.string());
     }
 
-    [[nodiscard]] bool accepts_webgl1(const std::string& fragment) const {
+    [[nodiscard]] bool accepts(const std::string& fragment, const std::string& limits = {}) const {
         const fs::path file = folder / "trial.frag";
         write(file, fragment);
-        return run(quoted(glslang) + " " + quoted(webgl1) + " " + quoted(file) + " > " + quoted(folder / "trial.log"));
+        return run(quoted(glslang) + " " + limits + " " + quoted(file) + " > " + quoted(folder / "trial.log"));
     }
 
     /// All shaders of a dialect in one go; they share a vertex shader.
@@ -96,7 +96,7 @@ int rules_without_teeth(const compiler& c) {
     };
     int wrong = 0;
     const auto expect = [&](bool good, const std::string& body) {
-        if (c.accepts_webgl1(shader_of(body)) == good) return;
+        if (c.accepts(shader_of(body), compiler::quoted(c.webgl1)) == good) return;
         ++wrong;
         std::cout << "WebGL 1's rules: should be " << (good ? "accepted: " : "rejected: ") << body << '\n';
     };
@@ -109,6 +109,21 @@ int rules_without_teeth(const compiler& c) {
     expect(false, "int i = 0; while (i < 4) { s += a.x; ++i; }");
     expect(false, "int i = 0; do { s += a.x; ++i; } while (i < 4);");
     expect(false, "float b[4]; b[0] = 1.0; s = b[n];");
+    return wrong;
+}
+
+/// A preamble brings `precise` to GLSL 310 es by an extension, and by nothing else.
+int precise_without_extension(const compiler& c) {
+    int wrong = 0;
+    for (const std::string extension : {"GL_EXT_gpu_shader5", "GL_OES_gpu_shader5", ""}) {
+        const std::string asked = extension.empty() ? "" : "#extension " + extension + " : require\n";
+        const std::string shader = source(version::v310_es, {umbrage::glsl::spot_cone},
+                                          asked + "#define UMBRAGE_PRECISE precise\nprecision mediump float;\n");
+        if (c.accepts(shader + "void main() {}\n") == !extension.empty()) continue;
+        ++wrong;
+        std::cout << "precise by \"" << extension << "\": should be " << (extension.empty() ? "rejected" : "accepted")
+                  << '\n';
+    }
     return wrong;
 }
 
@@ -131,7 +146,7 @@ int main(int argc, char** argv) try {
         return wrong ? 1 : 77;
     }
     fs::create_directories(c.folder);
-    wrong += rules_without_teeth(c);
+    wrong += rules_without_teeth(c) + precise_without_extension(c);
     std::size_t shaders = 0;
     for (version v : umbrage::glsl::versions) {
         std::vector<const entry*> all;

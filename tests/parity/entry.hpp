@@ -140,6 +140,8 @@ struct entry {
     }
     /// The snippets for the shader's one map, or for each of those bound.
     [[nodiscard]] std::vector<umbrage::glsl::bound> items() const;
+    /// The worst tier of what its shaders hold.
+    [[nodiscard]] tier exactness() const { return umbrage::glsl::exactness(items()); }
     [[nodiscard]] bool runs_in(dialect d) const;
 };
 

@@ -97,6 +97,12 @@ options parse(int argc, char** argv) {
 
 constexpr std::size_t at_most = std::size_t(1) << 20;  // inputs of one draw
 
+/// What the primitive promises; the tier alone where the entry's text holds a worse one.
+std::string promised(const entry& e) {
+    if (e.exactness() == e.primitive->exactness) return umbrage::glsl::promise(*e.primitive);
+    return std::string(1, "ABC"[static_cast<int>(e.exactness())]);
+}
+
 expectation expect(const job& j, const texels* flushed_map, const options& o) {
     expectation all{{}, flushed_map};
     all.plain.reserve(j.count);
@@ -117,8 +123,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     for (dialect d : b.dialects())
         if (e.runs_in(d) && o.wants(b, d) && o.samples(e, b, d) && o.inputs(e, d, only) > 0) dialects.push_back(d);
     std::vector<row> rows;
-    for (dialect d : dialects)
-        rows.push_back({e.name(), umbrage::glsl::promise(*e.primitive), b.name(), b.label(d), b.obstacle(e)});
+    for (dialect d : dialects) rows.push_back({e.name(), promised(e), b.name(), b.label(d), b.obstacle(e)});
     if (rows.empty() || !rows.front().obstacle.empty()) return rows;
 
     std::size_t most = 0;

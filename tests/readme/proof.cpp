@@ -39,11 +39,24 @@ struct tally {
     }
 };
 
+/// What a dialect is of: text in any dialect of GLSL, or in a language that it is printed in.
+std::string language_of(const std::string& dialect) {
+    if (dialect == "MSL") return "Metal";
+    return dialect == "HLSL" || dialect == "WGSL" ? dialect : "GLSL";
+}
+
 struct report {
-    std::map<std::string, tally> by_implementation, by_primitive;
+    struct implementation {
+        std::string name, language;
+        bool is_gpu = false;
+        auto operator<=>(const implementation&) const = default;
+    };
+    std::map<implementation, tally> by_implementation;
+    std::map<std::string, tally> by_primitive;
 
     void add(const std::filesystem::path& file) {
         std::ifstream in(file);
+        const bool is_gpu = file.stem() == "parity-hardware";  // every other report is of software
         std::string line;
         std::set<std::string> names;
         for (std::getline(in, line); std::getline(in, line);) {
@@ -54,7 +67,7 @@ struct report {
             const std::string name = row[0].substr(0, row[0].find(' '));
             names.insert(name);  // tried, or the report says why not
             if (row[4] == "0") continue;
-            by_implementation[row[2].substr(0, row[2].find(" ("))].add(row);  // less the build
+            by_implementation[{row[2].substr(0, row[2].find(" (")), language_of(row[3]), is_gpu}].add(row);  // no build
             by_primitive[name].add(row);
         }
         for (const umbrage::glsl::snippet* s : umbrage::glsl::registry())
@@ -82,13 +95,21 @@ proof read_proof(const std::filesystem::path& reports) {
 
     proof text;
     text.implementations =
-        "| implementation | dialects | primitives | inputs | differing bits, A and B | worst, C |\n"
-        "|---|--:|--:|--:|--:|--:|\n";
-    for (const auto& [name, t] : tried.by_implementation)
-        text.implementations += "| " + name + " | " + std::to_string(t.dialects.size()) + " | " +
-                                std::to_string(t.primitives.size()) + " | " + grouped(t.inputs) + " | " +
-                                grouped(t.differing) + " | " + std::to_string(static_cast<long>(t.worst_ulp)) +
-                                " ulp |\n";
+        "| implementation | runs on | language | dialects | primitives | inputs | differing bits, A and B | worst, C "
+        "|\n"
+        "|---|---|---|--:|--:|--:|--:|--:|\n";
+    bool any_gpu = false;
+    std::set<std::string> not_run{"GLSL", "HLSL", "Metal", "WGSL"};
+    for (const auto& [of, t] : tried.by_implementation) {
+        text.implementations += "| " + of.name + " | " + (of.is_gpu ? "GPU" : "CPU") + " | " + of.language + " | " +
+                                std::to_string(t.dialects.size()) + " | " + std::to_string(t.primitives.size()) +
+                                " | " + grouped(t.inputs) + " | " + grouped(t.differing) + " | " +
+                                std::to_string(static_cast<long>(t.worst_ulp)) + " ulp |\n";
+        any_gpu = any_gpu || of.is_gpu;
+        not_run.erase(of.language);
+    }
+    for (const std::string& language : not_run) text.implementations += "\n" + language + " was not run.\n";
+    if (!any_gpu) text.implementations += "\nEvery implementation above is software: none of this ran on a GPU.\n";
 
     text.primitives = "| primitive | tier | inputs | of each class | differing |\n|---|---|--:|---|--:|\n";
     for (const family& f : families()) {

@@ -9,7 +9,7 @@
 namespace readme {
 
 struct proof {
-    std::string implementations;  ///< a line each
+    std::string implementations;  ///< a line for each and each language it runs
     std::string primitives;       ///< all implementations together, by class of input
 };
 

@@ -22,6 +22,7 @@ struct language {
     literal prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
+    literal may_reorder{};                       ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
 };
@@ -115,6 +116,14 @@ private:
     std::vector<part> done_;
 };
 
+/// A line of comment that says when results differ from C++'s; empty for a text of tier A or a language with `precise`.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string order_note(const language& l, tier exactness) {
+    if (exactness == tier::a || l.may_reorder.empty()) return {};
+    return std::string("// Tier ") + (exactness == tier::b ? "B: " : "C: ") + std::string(l.may_reorder) +
+           " lets compilers fuse or reorder sums. Results then stay within the stated bound.\n";
+}
+
 /// A line that names what follows, then it.
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string compose(const language& l, const std::vector<bound>& items) {
@@ -127,7 +136,8 @@ template <class Use = umbrage::detail::on_use>
         if (names.find(' ' + name) == names.npos) names += name;
     }
     names.resize(names.size() - 2);
-    return title + names + '\n' + std::string(l.prelude) + composition<Use>(l, items).text();
+    return title + names + '\n' + order_note<Use>(l, composition<Use>(l, items).exactness()) + std::string(l.prelude) +
+           composition<Use>(l, items).text();
 }
 
 }  // namespace umbrage::glsl::detail

@@ -115,6 +115,7 @@ template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
+                                        .may_reorder = "GLSL below 400 and 320 es",
                                         .macros = true};
 
 [[nodiscard]] constexpr bool is_es(version v) {
@@ -128,12 +129,13 @@ inline constexpr language glsl_language{.prelude = prelude,
     return n;
 }
 
+[[nodiscard]] constexpr bool has_precise(version v) { return number(v) >= (is_es(v) ? 320 : 400); }
+
 /// The prelude where the dialect is known.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string known_prelude(version v) {
-    const bool has_precise = number(v) >= (is_es(v) ? 320 : 400);
     return std::string("\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP") + (is_es(v) ? " highp" : "") +
-           "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + (has_precise ? " precise" : "") +
+           "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + (has_precise(v) ? " precise" : "") +
            "\n#endif\n";
 }
 
@@ -207,9 +209,10 @@ template <class Use = umbrage::detail::on_use>
         if (!supports(item, v))
             umbrage::detail::fail("umbrage::glsl::text: version must be one that has " + std::string(item.what.name) +
                                   item.suffix + "; got " + std::string(directive(v)));
-    const std::string known_prelude = detail::known_prelude<Use>(v);
+    const std::string known_prelude = detail::known_prelude<Use>(v), name = "GLSL " + std::string(directive(v));
     detail::language known = detail::glsl_language<Use>;
     known.prelude = known_prelude;
+    known.may_reorder = detail::has_precise(v) ? literal() : literal(name);
     return detail::resolved<Use>(detail::compose<Use>(known, {items.begin(), items.end()}), detail::number(v));
 }
 template <class Use = umbrage::detail::on_use>
@@ -230,6 +233,15 @@ template <class Use = umbrage::detail::on_use>
 }
 
 /// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+///
+/// Texts have `precise` from GLSL 400 and 320 es on. A preamble can bring it to older dialects:
+///
+///     #extension GL_EXT_gpu_shader5 : require
+///     #define UMBRAGE_PRECISE precise
+///
+/// In 310 es this is GL_EXT_gpu_shader5 or GL_OES_gpu_shader5, in 150 and 330 GL_ARB_gpu_shader5. No text asks for an
+/// extension by itself: some compilers have GL_ARB_gpu_shader5 and reject `precise`, glslang among them.
+///
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {

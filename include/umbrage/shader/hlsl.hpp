@@ -5,6 +5,9 @@
 //     std::string shader = umbrage::hlsl::text({umbrage::glsl::pcf_2x2}) + my_main;
 //     // float umbrage_pcf_2x2(Texture2D<float4> map, float2 size, float2 coord, float receiver)
 //
+// `precise` forbids fused and reordered sums within one function, so each function has its own. FXC honors it in shader
+// model 5, DXC in all of its models, from 6.0 on. Older models of FXC need the option /Gis, for the whole shader.
+//
 #pragma once
 
 #include <initializer_list>

@@ -19,7 +19,10 @@
 namespace umbrage::msl {
 
 /// What every text begins with. Metal computes with fast mathematics unless it is told not to; from here to the end of
-/// the file it is told.
+/// the file it is told. Safe mathematics still fuses a * b + c within a statement, which the second pragma forbids.
+///
+/// Both pragmas need the compiler of Metal 3.2: Xcode 16, macOS 15, iOS 18. Older ones need options for the whole
+/// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The latter may still fuse.
 inline constexpr literal prelude =
     "\n#include <metal_stdlib>\n"  // no line of its own, which the single header would take for C++'s
     "#pragma METAL fp math_mode(safe)\n"

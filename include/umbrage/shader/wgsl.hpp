@@ -121,7 +121,7 @@ template <class Use = umbrage::detail::on_use>
 
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
-    .prelude = "", .texture = textures, .translate = translate<Use>, .preprocessor = false};
+    .prelude = "", .texture = textures, .translate = translate<Use>, .may_reorder = "WGSL", .preprocessor = false};
 
 }  // namespace detail
 

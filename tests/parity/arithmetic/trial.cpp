@@ -50,13 +50,6 @@ std::string described(const job& j, std::size_t i, const call& got, const vec4& 
 
 }  // namespace
 
-tier worst_tier(const entry& e) {
-    tier worst = tier::a;
-    for (const snippet& s : e.snippets())
-        each_snippet(s, [&](const snippet& one) { worst = std::max(worst, one.exactness); });
-    return worst;
-}
-
 bool is_visibility(const entry& e) {
     const std::string text = e.primitive->source.str();
     const std::size_t head = text.find("// umbrage_" + std::string(e.primitive->name) + ":");
@@ -65,7 +58,7 @@ bool is_visibility(const entry& e) {
 }
 
 promise promise_of(const entry& e, const rules& by) {
-    promise p{.exactness = worst_tier(e)};
+    promise p{.exactness = e.exactness()};
     for (const snippet& s : e.snippets())
         each_snippet(s, [&](const snippet& one) {
             p.within = std::max(p.within, double(one.within));
@@ -107,7 +100,7 @@ void count::add(const count& o) {
 
 bool allows(const caller& run, std::size_t input, const vec4& result) {
     const entry& e = *run.inputs().what;
-    if (worst_tier(e) == tier::a) return false;
+    if (e.exactness() == tier::a) return false;
     const promise p = promise_of(e, {});
     constexpr int seeds = 32;  // enough for what is decided within its bound to be decided both ways
     for (const setting& in : {arithmetics[0], fused_and_rounded})

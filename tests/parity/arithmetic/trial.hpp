@@ -39,8 +39,6 @@ private:
 /// within the bound after the same decisions.
 [[nodiscard]] bool allows(const caller& run, std::size_t input, const vec4& result);
 
-/// The worst tier of all that an entry's text holds.
-[[nodiscard]] tier worst_tier(const entry& e);
 /// Whether its result is a visibility.
 [[nodiscard]] bool is_visibility(const entry& e);
 

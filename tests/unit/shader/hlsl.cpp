@@ -64,6 +64,18 @@ TEST_CASE("hlsl: every snippet") {
     }
 }
 
+TEST_CASE("hlsl: precise stands wherever a snippet asks for it") {
+    std::size_t variables = 0;
+    for (const glsl::snippet* s : glsl::registry()) {
+        CAPTURE(s->name);
+        const auto asked = qualified(s->source.str(), "UMBRAGE_PRECISE ");
+        if (!asked.empty()) CHECK(qualified(hlsl::detail::language<>.translate(*s), "    precise ") == asked);
+        CHECK(hlsl::text({*s}).find("// Tier") == std::string::npos);
+        variables += asked.size();
+    }
+    CHECK(variables > 100);
+}
+
 TEST_CASE("hlsl: every kind of map, and nothing of it left open") {
     using enum glsl::texture;
     for (const auto kind :

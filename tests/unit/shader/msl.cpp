@@ -54,6 +54,17 @@ TEST_CASE("msl: every snippet") {
     }
 }
 
+TEST_CASE("msl: before the first function every text forbids fast math, fused and reordered sums") {
+    for (const glsl::snippet* s : glsl::registry()) {
+        CAPTURE(s->name);
+        const std::string text = msl::text({*s});
+        const auto function = text.find("\ninline ");
+        CHECK(text.find("\n#pragma METAL fp math_mode(safe)\n") < function);
+        CHECK(text.find("\n#pragma METAL fp contract(off)\n") < function);
+        CHECK(text.find("// Tier") == text.npos);
+    }
+}
+
 TEST_CASE("msl: every kind of map, and nothing of it left open") {
     using enum glsl::texture;
     for (const auto kind :

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include <umbrage/shader/glsl.hpp>
 
 /// How often a part occurs in a text.
 inline std::size_t count(std::string_view text, std::string_view part) {
@@ -17,3 +20,25 @@ inline std::string function_with_comment(const std::string& text, const std::str
     const auto begin = text.find("\n// " + name + ":") + 1;
     return text.substr(begin, text.find("\n}\n", begin) + 3 - begin);
 }
+
+/// The variables that a qualifier stands before, in order.
+inline std::vector<std::string> qualified(std::string_view text, std::string_view qualifier) {
+    std::vector<std::string> names;
+    for (auto at = text.find(qualifier); at != text.npos; at = text.find(qualifier, at + qualifier.size())) {
+        const std::string_view declaration = text.substr(at, text.find_first_of("=;(", at) - at);
+        const auto end = declaration.find_last_not_of(' ') + 1, begin = declaration.rfind(' ', end - 1) + 1;
+        names.emplace_back(declaration.substr(begin, end - begin));
+    }
+    return names;
+}
+
+/// The line that a text of a language without `precise` has behind its first; none in tier A.
+inline std::string order_note(const umbrage::glsl::snippet& s, std::string_view language) {
+    const auto tier = umbrage::glsl::exactness({s});
+    if (tier == umbrage::glsl::tier::a) return "";
+    return std::string("// Tier ") + (tier == umbrage::glsl::tier::b ? 'B' : 'C') + ": " + std::string(language) +
+           " lets compilers fuse or reorder sums. Results then stay within the stated bound.\n";
+}
+
+/// A text without its first line.
+inline std::string_view second_line_on(std::string_view text) { return text.substr(text.find('\n') + 1); }

@@ -9,6 +9,8 @@
 #include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/wgsl.hpp>
 
+#include "parts_of_text.hpp"
+
 using namespace umbrage;
 
 TEST_CASE("wgsl::text: a snippet reads as written in WGSL") {
@@ -52,6 +54,16 @@ TEST_CASE("wgsl::text: every snippet translates, in lines that people read, each
         }
         CHECK(functions.contains("fn umbrage_" + std::string(s->name)));
     }
+}
+
+TEST_CASE("wgsl::text: a text that may round differently says so, another does not") {
+    for (const glsl::snippet* s : glsl::registry()) {
+        CAPTURE(s->name);
+        const std::string text = wgsl::text({*s});
+        CHECK(second_line_on(text).starts_with(order_note(*s, "WGSL") + "\n//"));
+    }
+    const std::string exact_then_not = wgsl::text({glsl::encode_rg<11>, glsl::spot_cone, glsl::project_coordinate});
+    CHECK(second_line_on(exact_then_not).starts_with("// Tier C: WGSL lets compilers"));
 }
 
 TEST_CASE("wgsl::text: maps of several kinds in one shader") {
