@@ -83,7 +83,8 @@ export function supports(item: Snippet | Bound, version: Version): boolean;
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
  *  binding says in the shader's own language has no tier. */
 export function exactness(items: readonly (Snippet | Bound)[]): Exactness;
-/** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
+/** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. A preamble brings `precise` to
+ *  310 es by `#extension GL_EXT_gpu_shader5 : require` and `#define UMBRAGE_PRECISE precise`. */
 export function source(version: Version, items: readonly (Snippet | Bound)[], preamble?: string): string;
 /** A GLSL text of the snippets and all they need, to paste into any shader; or into one of the version, for engines whose
  *  preprocessors do not know __VERSION__. */

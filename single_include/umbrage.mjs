@@ -310,11 +310,25 @@ function for_each_part(language, items, use) {
         }
 }
 
+function worst_tier(language, items) {
+    let worst = 'a';
+    for_each_part(language, items, s => { worst = s.exactness > worst ? s.exactness : worst; });
+    return worst;
+}
+
+/** A line of comment that says when results differ from C++'s; empty for a text of tier A or a language with precise. */
+function order_note(language, exactness) {
+    if (exactness === 'a' || language.may_reorder === '') return '';
+    return `// Tier ${exactness.toUpperCase()}: ${language.may_reorder} lets compilers fuse or reorder sums. `
+        + 'Results then stay within the stated bound.\n';
+}
+
 /** The snippets and all they need, each once. */
 function compose(language, items) {
     items = with_maps(items);
     const names = [...new Set(items.map(item => item.what.name + item.suffix))];
-    let text = `// umbrage 0.1.0, MIT License${names.length ? ': ' : ''}${names.join(', ')}\n${language.prelude}`;
+    let text = `// umbrage 0.1.0, MIT License${names.length ? ': ' : ''}${names.join(', ')}\n`
+        + order_note(language, worst_tier(language, items)) + language.prelude;
     for_each_part(language, items, (s, item, guard, filled_in) => {
         const body = language.texts[s.id];
         if (language.preprocessor) text += `\n#ifndef ${guard}\n#define ${guard}`;
@@ -325,11 +339,7 @@ function compose(language, items) {
 }
 
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
-export function exactness(items) {
-    let worst = 'a';
-    for_each_part(languages.glsl, with_maps(items), s => { worst = s.exactness > worst ? s.exactness : worst; });
-    return worst;
-}
+export function exactness(items) { return worst_tier(languages.glsl, with_maps(items)); }
 
 const es3 = ['300 es', '310 es', '320 es', '330', '430', '450', '460'];
 const has_gathers = ['310 es', '320 es', '430', '450', '460'];
@@ -375,10 +385,10 @@ export function text(items, version) {
             const { what, suffix } = as_bound(item);
             throw new Error(`umbrage: text: version must be one that has ${what.name}${suffix}; got ${version}`);
         }
-    const number = parseInt(version), es = version === '100' || version.endsWith('es');
+    const number = parseInt(version), es = version === '100' || version.endsWith('es'), has_precise = number >= (es ? 320 : 400);
     const prelude = `\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP${es ? ' highp' : ''}\n#endif\n`
-        + `#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE${number >= (es ? 320 : 400) ? ' precise' : ''}\n#endif\n`;
-    return resolved(compose({ ...languages.glsl, prelude }, items), number);
+        + `#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE${has_precise ? ' precise' : ''}\n#endif\n`;
+    return resolved(compose({ ...languages.glsl, prelude, may_reorder: has_precise ? '' : `GLSL ${version}` }, items), number);
 }
 
 /** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
@@ -394,6 +404,7 @@ export const versions = ["100", "110", "120", "130", "150", "300 es", "310 es", 
 const languages = {
     glsl: {
         prelude: "\n#ifndef UMBRAGE_HIGHP\n#ifdef GL_ES\n#define UMBRAGE_HIGHP highp\n#else\n#define UMBRAGE_HIGHP\n#endif\n#endif\n#ifndef UMBRAGE_PRECISE\n#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)\n#define UMBRAGE_PRECISE precise\n#else\n#define UMBRAGE_PRECISE\n#endif\n#endif\n",
+        may_reorder: "GLSL below 400 and 320 es",
         preprocessor: true,
         macros: true,
         textures: {
@@ -984,7 +995,7 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec3(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
+    return vec3(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
 }
 `,
             "encode_float_bits": `
@@ -1049,7 +1060,7 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    UMBRAGE_HIGHP float low = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    UMBRAGE_HIGHP float low = min(rest - middle * 256.0, 255.0);  // below already: no sum is regrouped across the min
     return v < 1.0 ? vec4(0.0, low, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
 `,
@@ -2658,7 +2669,7 @@ UMBRAGE_HIGHP vec2 umbrage_blockers_hardware32(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 8.0;
-    UMBRAGE_HIGHP float d = max(8.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    UMBRAGE_HIGHP float d = max(8.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 512.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
@@ -2669,7 +2680,7 @@ UMBRAGE_HIGHP float umbrage_hardened8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 16.0;
-    UMBRAGE_HIGHP float d = max(16.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    UMBRAGE_HIGHP float d = max(16.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 4096.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
@@ -2680,7 +2691,7 @@ UMBRAGE_HIGHP float umbrage_hardened16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGH
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened32(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 32.0;
-    UMBRAGE_HIGHP float d = max(32.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    UMBRAGE_HIGHP float d = max(32.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 32768.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
@@ -2954,7 +2965,7 @@ UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
 UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
-    UMBRAGE_HIGHP float f = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
+    UMBRAGE_HIGHP float f = max(x - n * 2048.0, 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
     UMBRAGE_HIGHP float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     UMBRAGE_HIGHP float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
@@ -3796,6 +3807,7 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     },
     hlsl: {
         prelude: "",
+        may_reorder: "",
         preprocessor: true,
         macros: false,
         textures: {
@@ -4345,7 +4357,7 @@ float3 umbrage_encode_rgb24(float depth) {
     float high = floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = floor(rest * (1.0 / 256.0));
-    return float3(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
+    return float3(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
 }
 `,
             "encode_float_bits": `
@@ -4410,7 +4422,7 @@ float4 umbrage_encode_threejs_legacy_repaired(float depth) {
     float high = floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = floor(rest * (1.0 / 256.0));
-    float low = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    float low = min(rest - middle * 256.0, 255.0);  // below already: no sum is regrouped across the min
     return v < 1.0 ? float4(0.0, low, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
 }
 `,
@@ -5908,7 +5920,7 @@ float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, f
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 float umbrage_hardened8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
-    float d = max(8.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    float d = max(8.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 512.0 - d * d * d;
     float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
@@ -5919,7 +5931,7 @@ float umbrage_hardened8(float blocked, float ratio) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 float umbrage_hardened16(float blocked, float ratio) {
     float u = blocked * 2.0 - 16.0;
-    float d = max(16.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    float d = max(16.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 4096.0 - d * d * d;
     float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
@@ -5930,7 +5942,7 @@ float umbrage_hardened16(float blocked, float ratio) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 float umbrage_hardened32(float blocked, float ratio) {
     float u = blocked * 2.0 - 32.0;
-    float d = max(32.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    float d = max(32.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 32768.0 - d * d * d;
     float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
@@ -6175,7 +6187,7 @@ float umbrage_exp2_polynomial(float y) {
 float umbrage_exp2_steps(float y) {
     float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     float n = floor(x * (1.0 / 2048.0));
-    float f = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
+    float f = max(x - n * 2048.0, 0.0);  // not negative already: no sum is regrouped across the max
     float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
     float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
@@ -6963,6 +6975,7 @@ float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     },
     msl: {
         prelude: "\n#include <metal_stdlib>\n#pragma METAL fp math_mode(safe)\n#pragma METAL fp contract(off)\n",
+        may_reorder: "",
         preprocessor: true,
         macros: false,
         textures: {
@@ -7512,7 +7525,7 @@ inline float3 umbrage_encode_rgb24(float depth) {
     float high = metal::floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = metal::floor(rest * (1.0 / 256.0));
-    return float3(high, middle, metal::min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
+    return float3(high, middle, metal::min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
 }
 `,
             "encode_float_bits": `
@@ -7577,7 +7590,7 @@ inline float4 umbrage_encode_threejs_legacy_repaired(float depth) {
     float high = metal::floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = metal::floor(rest * (1.0 / 256.0));
-    float low = metal::min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    float low = metal::min(rest - middle * 256.0, 255.0);  // below already: no sum is regrouped across the min
     return v < 1.0 ? float4(0.0, low, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
 }
 `,
@@ -9084,7 +9097,7 @@ inline float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 c
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 inline float umbrage_hardened8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
-    float d = metal::max(8.0 - metal::abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    float d = metal::max(8.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 512.0 - d * d * d;
     float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
@@ -9095,7 +9108,7 @@ inline float umbrage_hardened8(float blocked, float ratio) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 inline float umbrage_hardened16(float blocked, float ratio) {
     float u = blocked * 2.0 - 16.0;
-    float d = metal::max(16.0 - metal::abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    float d = metal::max(16.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 4096.0 - d * d * d;
     float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
@@ -9106,7 +9119,7 @@ inline float umbrage_hardened16(float blocked, float ratio) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 inline float umbrage_hardened32(float blocked, float ratio) {
     float u = blocked * 2.0 - 32.0;
-    float d = metal::max(32.0 - metal::abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    float d = metal::max(32.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 32768.0 - d * d * d;
     float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
@@ -9353,7 +9366,7 @@ inline float umbrage_exp2_polynomial(float y) {
 inline float umbrage_exp2_steps(float y) {
     float x = metal::floor((y > -64.0 ? metal::min(y, 63.0) : -64.0) * 2048.0);
     float n = metal::floor(x * (1.0 / 2048.0));
-    float f = metal::max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
+    float f = metal::max(x - n * 2048.0, 0.0);  // not negative already: no sum is regrouped across the max
     float g = metal::floor(f * (2048.0 - f) * (1.0 / 256.0));
     float r = 1251.0 + metal::floor(f * 314.0 * (1.0 / 2048.0));
     float m = 2048.0 + f - metal::floor((g * r + 16384.0) * (1.0 / 32768.0));
@@ -10145,6 +10158,7 @@ inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     },
     wgsl: {
         prelude: "",
+        may_reorder: "WGSL",
         preprocessor: false,
         macros: false,
         textures: {
@@ -10693,7 +10707,7 @@ fn umbrage_encode_rgb24(depth: f32) -> vec3f {
     let high: f32 = floor(x * (1.0 / 65536.0));
     let rest: f32 = x - high * 65536.0;
     let middle: f32 = floor(rest * (1.0 / 256.0));
-    return vec3f(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
+    return vec3f(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
 }
 `,
             "encode_float_bits": `
@@ -10758,7 +10772,7 @@ fn umbrage_encode_threejs_legacy_repaired(depth: f32) -> vec4f {
     let high: f32 = floor(x * (1.0 / 65536.0));
     let rest: f32 = x - high * 65536.0;
     let middle: f32 = floor(rest * (1.0 / 256.0));
-    let low: f32 = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    let low: f32 = min(rest - middle * 256.0, 255.0);  // below already: no sum is regrouped across the min
     return select(vec4f(255.0, 255.0, 255.0, 255.0), vec4f(0.0, low, middle, high), v < 1.0);
 }
 `,
@@ -12257,7 +12271,7 @@ fn umbrage_blockers_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, recei
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 fn umbrage_hardened8(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 8.0;
-    let d: f32 = max(8.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    let d: f32 = max(8.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     let steep: f32 = 512.0 - d * d * d;
     let hard: f32 = select(512.0 + steep, 512.0 - steep, u < 0.0);
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
@@ -12268,7 +12282,7 @@ fn umbrage_hardened8(blocked: f32, ratio: f32) -> f32 {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 fn umbrage_hardened16(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 16.0;
-    let d: f32 = max(16.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    let d: f32 = max(16.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     let steep: f32 = 4096.0 - d * d * d;
     let hard: f32 = select(4096.0 + steep, 4096.0 - steep, u < 0.0);
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
@@ -12279,7 +12293,7 @@ fn umbrage_hardened16(blocked: f32, ratio: f32) -> f32 {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 fn umbrage_hardened32(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 32.0;
-    let d: f32 = max(32.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    let d: f32 = max(32.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     let steep: f32 = 32768.0 - d * d * d;
     let hard: f32 = select(32768.0 + steep, 32768.0 - steep, u < 0.0);
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
@@ -12524,7 +12538,7 @@ fn umbrage_exp2_polynomial(y: f32) -> f32 {
 fn umbrage_exp2_steps(y: f32) -> f32 {
     let x: f32 = floor(select(-64.0, min(y, 63.0), y > -64.0) * 2048.0);
     let n: f32 = floor(x * (1.0 / 2048.0));
-    let f: f32 = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
+    let f: f32 = max(x - n * 2048.0, 0.0);  // not negative already: no sum is regrouped across the max
     let g: f32 = floor(f * (2048.0 - f) * (1.0 / 256.0));
     let r: f32 = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     let m: f32 = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));

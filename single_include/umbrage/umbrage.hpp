@@ -1109,7 +1109,7 @@ template <real T>
 ///                       half a texel, and 1/128 for the points' rounding, farther
 /// @return               0 .. 1; 1 for what is infinite, and for NaN
 /// @formula              radius |slope| + (1/2 + 1/128) (|slope.x| + |slope.y|) + error + 2^-23
-/// @exactness            C, n = 13: a square root, of which GLSL allows a few ulp; 0 seen
+/// @exactness            C, n = 13: a square root
 template <real T>
 [[nodiscard]] T acne_free_disc_bias(glm::vec<2, T> slope, T radius, T error) {
     const T sum = std::abs(slope.x) + std::abs(slope.y);
@@ -1230,7 +1230,7 @@ namespace umbrage {
 /// @formula           width min(|normal x direction| / -(normal . way), greatest), a tangent: up to the greatest one,
 ///                    acne_free_bias without its constant part, times 1 to sqrt(2), whichever way the plane is turned
 /// @detaches          casters nearer than the bias along the light lose their shadow: at most width greatest
-/// @exactness         C, n = 30: a square root and a division, of each of which GLSL allows a few ulp; 0 seen
+/// @exactness         C, n = 30: a square root and a division
 template <real T>
 [[nodiscard]] T kernel_bias(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width, T greatest) {
     const T x = normal.y * direction.z + normal.z * -direction.y;
@@ -1698,7 +1698,7 @@ template <real T>
 /// The division: what filters take.
 /// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
 ///                which every filter takes as lit
-/// @exactness     C, n = 3: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 3: divisions
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
     if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
@@ -1849,7 +1849,7 @@ template <real T>
 /// @return        0 .. 1; 1 for w = 0 and for NaN
 /// @formula       world units.y / w^2: the slope of z/w at the point; what lies nearer to a spot changes by more, so
 ///                that a point moved towards it by `world` has w / (w - world) times that, which covers a bias
-/// @exactness     C, n = 5: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 5: one division
 template <real T>
 [[nodiscard]] constexpr T world_to_depth(T world, glm::vec<2, T> units, T w) {
     return clamp_bias(world * units.y / (w * w));
@@ -1930,7 +1930,7 @@ template <real T>
 ///                      texel tan t. Enough for a directional light; for a spot where the normal looks against its axis
 /// @detaches            as width tan t + error_world along the light: on a floor beside a wall that stands square to it
 ///                      light leaks in for up to width tan t sin t
-/// @exactness           C, n = 91: a square root, of which GLSL allows a few ulp; 0 seen
+/// @exactness           C, n = 91: a square root
 template <real T>
 [[nodiscard]] glm::vec<3, T> normal_offset(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width,
                                            T error_world) {
@@ -2105,7 +2105,7 @@ template <real T>
 /// @param world          a point on the plane
 /// @return               slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on and for NaN
 /// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
-/// @exactness            C, n = 27: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness            C, n = 27: two divisions
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                    glm::vec<3, T> world) {
@@ -2214,7 +2214,7 @@ namespace umbrage {
 ///                 than 2^-10, so that nothing is known of the slope; and for NaN
 /// @formula        by Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096,
 ///                 with s / |determinant|, s the sum of the four magnitudes, for 1 / least texels a pixel
-/// @exactness      C, n = 31: divisions, of each of which GLSL allows 2.5 ulp
+/// @exactness      C, n = 31: divisions
 /// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> receiver_plane(glm::vec<3, T> dx, glm::vec<3, T> dy) {
@@ -2502,7 +2502,7 @@ template <real T>
 /// @param z, w    clip coordinates
 /// @param cleared cleared_depth of the clip space: 1, or 0 when reversed
 /// @return        z / w; cleared, which is far, for w <= 0 (not in front of the light) and NaN in w
-/// @exactness     C, n = 3: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 3: one division
 template <real T>
 [[nodiscard]] constexpr T project_depth(T z, T w, T cleared) {
     return w > T(0) && !is_nan(w) ? z / w : cleared;
@@ -2512,7 +2512,7 @@ template <real T>
 /// @param inv_range   1 / range of the light
 /// @return            0 at the light, 1 at its range; not clamped
 /// @formula           |to_point| * inv_range
-/// @exactness         C, n = 9: a square root, of which GLSL allows a few ulp; 0 seen
+/// @exactness         C, n = 9: a square root
 template <real T>
 [[nodiscard]] T distance_depth(glm::vec<3, T> to_point, T inv_range) {
     return std::sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
@@ -2540,8 +2540,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (1 - depth (1 - n / f))
-/// @exactness             C, n = 8: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen;
-///                        the distance at depth near 1 hangs on the last bits of depth
+/// @exactness             C, n = 8: two divisions. At depth near 1, the last bits of depth decide the distance
 template <real T>
 [[nodiscard]] constexpr T view_z_from_depth(T depth, T z_near, T z_far) {
     return z_near / (T(1) - depth * (T(1) - z_near / z_far));
@@ -2553,7 +2552,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (1 - n / z) / (1 - n / f)
-/// @exactness             C, n = 10: three divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 10: three divisions
 template <real T>
 [[nodiscard]] constexpr T depth_from_view_z(T z_view, T z_near, T z_far) {
     return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
@@ -2566,7 +2565,7 @@ template <real T>
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (n / f + depth (1 - n / f)): within 3 ulp of the distance for depth in [0, 1], as nothing
 ///                        cancels; by way of 1 - depth thousands of ulp are lost far out
-/// @exactness             C, n = 11: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 11: two divisions
 template <real T>
 [[nodiscard]] constexpr T view_z_from_reversed_depth(T depth, T z_near, T z_far) {
     return z_near / (z_near / z_far + depth * (T(1) - z_near / z_far));
@@ -2578,7 +2577,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z/w in [0, 1], 1 at the near plane; not clamped
 /// @formula               n / z (1 - z / f) / (1 - n / f)
-/// @exactness             C, n = 13: four divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 13: four divisions
 template <real T>
 [[nodiscard]] constexpr T reversed_depth_from_view_z(T z_view, T z_near, T z_far) {
     return z_near / z_view * (T(1) - z_view / z_far) / (T(1) - z_near / z_far);
@@ -2601,7 +2600,7 @@ template <real T>
 /// @param z_near, z_far   z_near < z_far; when reversed, exchange the two
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (z - n) / (f - n)
-/// @exactness             C, n = 5: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 5: one division
 template <real T>
 [[nodiscard]] constexpr T orthographic_depth_from_view_z(T z_view, T z_near, T z_far) {
     return (z_view - z_near) / (z_far - z_near);
@@ -3379,7 +3378,7 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec3(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
+    return vec3(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
 }
 )GLSL",
 };
@@ -4200,7 +4199,7 @@ namespace detail {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - $n.0;
-    UMBRAGE_HIGHP float d = max($n.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    UMBRAGE_HIGHP float d = max($n.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = $c.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? $c.0 - steep : $c.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * $s.0) * (1.0 / $w.0);
@@ -5462,7 +5461,7 @@ template <real T>
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
 /// @formula           s = (sc + m) / 2m, t = (tc + m) / 2m, of cube_plane and m = cube_view_z
-/// @exactness         C, n = 5: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness         C, n = 5: divisions
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = cube_plane(direction);
@@ -5677,7 +5676,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @return           visibility, the same on either side of an edge
 /// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
 ///                   to the nearest step, which is the same one from either side
-/// @exactness        C, n = 33: a division, by 65536 but at corners, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness        C, n = 33: a division, by 65536 but at corners
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> coord(at);
@@ -6470,7 +6469,7 @@ inline constexpr snippet exp2_steps{
 UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
-    UMBRAGE_HIGHP float f = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
+    UMBRAGE_HIGHP float f = max(x - n * 2048.0, 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
     UMBRAGE_HIGHP float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     UMBRAGE_HIGHP float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
@@ -7556,9 +7555,9 @@ namespace umbrage {
 ///                  ((1 - z) (d D - g (1 + b1)) + k) q, that at f, which lies before the receiver where d > 0, is
 ///                  d^4 / (p q (x d - g)): interpolation's weights, of central moments, where few digits cancel
 /// @exactness       C, n = 173: two divisions; which depths there are is decided without one. In binary32 off, to
-///                  first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the absolute
-///                  coefficients of the polynomial of degree 4 whose mean is the share: 1 at -1, twice 0 at f, 0 at z
-///                  and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1. Rounding up to d and g
+///                  first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the
+///                  absolute coefficients of the polynomial of degree 4 whose mean is the share: 1 at -1, twice 0 at f,
+///                  0 at z and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1. Rounding up to d and g
 ///                  does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the share does not change with
 ///                  f to first order; what follows is off by 8 2^-24 of 1 / (1 + f), 1 / (1 - f), 1 / |z - f| or of
 ///                  1 / ((1 + z) (1 + f)) at a step. Nothing holds s down for all moments: a bias of (0, y, 0, y) is
@@ -9023,7 +9022,7 @@ struct dual_paraboloid_light {
 /// @return            (s, t, map): s and t from 0 to 1 over the map's square, within its circle; map 0 or 1
 /// @formula           s = 1/2 + -x / 2 (|p| + |z|), for z < 0 with x, t = 1/2 + y / 2 (|p| + |z|): a texel is as wide
 ///                    as it is high, 2 (1 + |z| / |p|) / map_size radians, in the middle twice of what it is at the rim
-/// @exactness         C, n = 32: a square root and divisions, of each of which GLSL allows 2.5 ulp and more; 0 seen
+/// @exactness         C, n = 32: a square root and divisions
 /// @cite              Brabec, Annen, Seidel: Shadow Mapping for Hemispherical and Omnidirectional Light Sources, 2002
 template <real T>
 [[nodiscard]] glm::vec<3, T> dual_paraboloid_coordinate(glm::vec<3, T> direction) {
@@ -9039,7 +9038,7 @@ template <real T>
 /// @return            (x w, y w, distance w, w): x and y from -1 to 1 in the map's half, farther out beyond it; w is 0
 ///                    in the middle of the other half, and never below
 /// @formula           w = |p| + z, of map 1 |p| - z
-/// @exactness         C, n = 18: a square root; 0 seen
+/// @exactness         C, n = 18: a square root
 template <real T>
 [[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
     const bool behind = map > T(0.5);
@@ -9331,7 +9330,7 @@ template <real T>
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): t from 0 at the base to 1 at the apex, |s| <= 1 - t
 /// @formula           s = aside / d, t = away / d, d = 2 away - sqrt(2) up
-/// @exactness         C, n = 6: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness         C, n = 6: divisions
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_coordinate(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = tetrahedron_plane(direction);
@@ -19456,6 +19455,7 @@ struct language {
     literal prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
+    literal may_reorder{};                       ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
 };
@@ -19549,6 +19549,14 @@ private:
     std::vector<part> done_;
 };
 
+/// A line of comment that says when results differ from C++'s; empty for a text of tier A or a language with `precise`.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string order_note(const language& l, tier exactness) {
+    if (exactness == tier::a || l.may_reorder.empty()) return {};
+    return std::string("// Tier ") + (exactness == tier::b ? "B: " : "C: ") + std::string(l.may_reorder) +
+           " lets compilers fuse or reorder sums. Results then stay within the stated bound.\n";
+}
+
 /// A line that names what follows, then it.
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string compose(const language& l, const std::vector<bound>& items) {
@@ -19561,7 +19569,8 @@ template <class Use = umbrage::detail::on_use>
         if (names.find(' ' + name) == names.npos) names += name;
     }
     names.resize(names.size() - 2);
-    return title + names + '\n' + std::string(l.prelude) + composition<Use>(l, items).text();
+    return title + names + '\n' + order_note<Use>(l, composition<Use>(l, items).exactness()) + std::string(l.prelude) +
+           composition<Use>(l, items).text();
 }
 
 }  // namespace umbrage::glsl::detail
@@ -19671,6 +19680,7 @@ template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
+                                        .may_reorder = "GLSL below 400 and 320 es",
                                         .macros = true};
 
 [[nodiscard]] constexpr bool is_es(version v) {
@@ -19684,12 +19694,13 @@ inline constexpr language glsl_language{.prelude = prelude,
     return n;
 }
 
+[[nodiscard]] constexpr bool has_precise(version v) { return number(v) >= (is_es(v) ? 320 : 400); }
+
 /// The prelude where the dialect is known.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string known_prelude(version v) {
-    const bool has_precise = number(v) >= (is_es(v) ? 320 : 400);
     return std::string("\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP") + (is_es(v) ? " highp" : "") +
-           "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + (has_precise ? " precise" : "") +
+           "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + (has_precise(v) ? " precise" : "") +
            "\n#endif\n";
 }
 
@@ -19763,9 +19774,10 @@ template <class Use = umbrage::detail::on_use>
         if (!supports(item, v))
             umbrage::detail::fail("umbrage::glsl::text: version must be one that has " + std::string(item.what.name) +
                                   item.suffix + "; got " + std::string(directive(v)));
-    const std::string known_prelude = detail::known_prelude<Use>(v);
+    const std::string known_prelude = detail::known_prelude<Use>(v), name = "GLSL " + std::string(directive(v));
     detail::language known = detail::glsl_language<Use>;
     known.prelude = known_prelude;
+    known.may_reorder = detail::has_precise(v) ? literal() : literal(name);
     return detail::resolved<Use>(detail::compose<Use>(known, {items.begin(), items.end()}), detail::number(v));
 }
 template <class Use = umbrage::detail::on_use>
@@ -19786,6 +19798,15 @@ template <class Use = umbrage::detail::on_use>
 }
 
 /// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+///
+/// Texts have `precise` from GLSL 400 and 320 es on. A preamble can bring it to older dialects:
+///
+///     #extension GL_EXT_gpu_shader5 : require
+///     #define UMBRAGE_PRECISE precise
+///
+/// In 310 es this is GL_EXT_gpu_shader5 or GL_OES_gpu_shader5, in 150 and 330 GL_ARB_gpu_shader5. No text asks for an
+/// extension by itself: some compilers have GL_ARB_gpu_shader5 and reject `precise`, glslang among them.
+///
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
@@ -20188,6 +20209,9 @@ private:
 //     std::string shader = umbrage::hlsl::text({umbrage::glsl::pcf_2x2}) + my_main;
 //     // float umbrage_pcf_2x2(Texture2D<float4> map, float2 size, float2 coord, float receiver)
 //
+// `precise` forbids fused and reordered sums within one function, so each function has its own. FXC honors it in shader
+// model 5, DXC in all of its models, from 6.0 on. Older models of FXC need the option /Gis, for the whole shader.
+//
 
 namespace umbrage::hlsl {
 
@@ -20318,7 +20342,10 @@ template <class Use = umbrage::detail::on_use>
 namespace umbrage::msl {
 
 /// What every text begins with. Metal computes with fast mathematics unless it is told not to; from here to the end of
-/// the file it is told.
+/// the file it is told. Safe mathematics still fuses a * b + c within a statement, which the second pragma forbids.
+///
+/// Both pragmas need the compiler of Metal 3.2: Xcode 16, macOS 15, iOS 18. Older ones need options for the whole
+/// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The latter may still fuse.
 inline constexpr literal prelude =
     "\n#include <metal_stdlib>\n"  // no line of its own, which the single header would take for C++'s
     "#pragma METAL fp math_mode(safe)\n"
@@ -20957,7 +20984,7 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    UMBRAGE_HIGHP float low = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    UMBRAGE_HIGHP float low = min(rest - middle * 256.0, 255.0);  // below already: no sum is regrouped across the min
     return v < 1.0 ? vec4(0.0, low, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
 )GLSL",
@@ -21896,7 +21923,7 @@ template <class Use = umbrage::detail::on_use>
 
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
-    .prelude = "", .texture = textures, .translate = translate<Use>, .preprocessor = false};
+    .prelude = "", .texture = textures, .translate = translate<Use>, .may_reorder = "WGSL", .preprocessor = false};
 
 }  // namespace detail
 

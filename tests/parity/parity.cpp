@@ -26,7 +26,8 @@ constexpr const char* usage = R"(Every entry on one implementation, in all its d
     parity --backend BACKEND [--filter TEXT] [--versions "100,300 es,450"] [--count N] [--other-count N]
            [--every N] [--other-every N] [--whole N] [--out FOLDER] [--report FOLDER] [--mistake FROM=TO]
 
-  --backend      c++ fused llvmpipe softpipe lavapipe lavapipe_compute swiftshader swiftshader_vulkan metal naga tint hardware
+  --backend      c++ fused llvmpipe softpipe lavapipe lavapipe_compute swiftshader swiftshader_vulkan metal naga tint
+                 hardware
   --filter       only entries whose names have this in them; without it all, which takes minutes
   --versions     only these dialects
   --count        inputs of an entry in the main dialects, 1048576; --other-count: in the others, 65536
@@ -34,7 +35,7 @@ constexpr const char* usage = R"(Every entry on one implementation, in all its d
   --other-every  one in N in the other dialects, and of entries with bound maps or alike
   --whole        as many of each enumeration, in one dialect, 65536; 16777216 is all of every one
   --out          where parity-BACKEND.tsv goes, the table of all entries; without a filter alone
-  --report       folder of a page for each API, report-*.md, with a probe of its observed_arithmetic; hardware is always probed
+  --report       folder of a page for each API, report-*.md, with a probe of its arithmetic; hardware is always probed
   --mistake      printers write TO for FROM; the exit status is 0 when results differ for it
 
 Exit status: 0 agrees, 1 differs, 2 called wrongly, 77 nothing here to run on.

@@ -2,8 +2,8 @@
 //
 // Writes the text of every entry, snippets and call, as C++:  write_cpp FILE
 //
-// A float becomes a `glsl_float`, which cpp_text.hpp chooses. __VERSION__ and `precise` are GLSL's own, as are the swizzles
-// of what stored_as() makes. All else is for cpp_text.hpp.
+// A float becomes a `glsl_float`, which cpp_text.hpp chooses. __VERSION__ and `precise` are GLSL's own, as are the
+// swizzles of what stored_as() makes. All else is for cpp_text.hpp.
 #include <algorithm>
 #include <cctype>
 #include <fstream>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -111,6 +112,10 @@ proof read_proof(const std::filesystem::path& reports) {
     for (const std::string& language : not_run) text.implementations += "\n" + language + " was not run.\n";
     if (!any_gpu) text.implementations += "\nEvery implementation above is software: none of this ran on a GPU.\n";
 
+    for (const char* page : {"arithmetic.md", "end_to_end.md"})
+        if (std::ifstream more(reports / page); more)
+            text.implementations += "\n" + std::string(std::istreambuf_iterator<char>(more), {});
+
     text.primitives = "| primitive | tier | inputs | of each class | differing |\n|---|---|--:|---|--:|\n";
     for (const family& f : families()) {
         tally t;
@@ -122,7 +127,8 @@ proof read_proof(const std::filesystem::path& reports) {
             t.differing += one.differing;
             for (const auto& [what, count] : one.classes) t.classes[what] += count;
         }
-        text.primitives += "| " + f.label() + " | " + umbrage::glsl::promise(*f.first) + " | " + grouped(t.inputs) + " | ";
+        text.primitives +=
+            "| " + f.label() + " | " + umbrage::glsl::promise(*f.first) + " | " + grouped(t.inputs) + " | ";
         std::string separator;
         for (const auto& [what, count] : t.classes) {
             text.primitives += separator + what + " " + grouped(count);

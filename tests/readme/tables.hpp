@@ -21,7 +21,6 @@ struct family {
 };
 [[nodiscard]] std::vector<family> families();
 
-
 /// What stands between the page's marks, by their names.
 [[nodiscard]] std::string primitives();
 [[nodiscard]] std::string encodings();

@@ -54,7 +54,7 @@ template <real T>
 ///                       half a texel, and 1/128 for the points' rounding, farther
 /// @return               0 .. 1; 1 for what is infinite, and for NaN
 /// @formula              radius |slope| + (1/2 + 1/128) (|slope.x| + |slope.y|) + error + 2^-23
-/// @exactness            C, n = 13: a square root, of which GLSL allows a few ulp; 0 seen
+/// @exactness            C, n = 13: a square root
 template <real T>
 [[nodiscard]] T acne_free_disc_bias(glm::vec<2, T> slope, T radius, T error) {
     const T sum = std::abs(slope.x) + std::abs(slope.y);

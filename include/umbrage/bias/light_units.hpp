@@ -109,7 +109,7 @@ template <real T>
 /// @return        0 .. 1; 1 for w = 0 and for NaN
 /// @formula       world units.y / w^2: the slope of z/w at the point; what lies nearer to a spot changes by more, so
 ///                that a point moved towards it by `world` has w / (w - world) times that, which covers a bias
-/// @exactness     C, n = 5: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 5: one division
 template <real T>
 [[nodiscard]] constexpr T world_to_depth(T world, glm::vec<2, T> units, T w) {
     return clamp_bias(world * units.y / (w * w));

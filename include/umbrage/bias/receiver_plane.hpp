@@ -34,7 +34,7 @@ namespace umbrage {
 ///                 than 2^-10, so that nothing is known of the slope; and for NaN
 /// @formula        by Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096,
 ///                 with s / |determinant|, s the sum of the four magnitudes, for 1 / least texels a pixel
-/// @exactness      C, n = 31: divisions, of each of which GLSL allows 2.5 ulp
+/// @exactness      C, n = 31: divisions
 /// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> receiver_plane(glm::vec<3, T> dx, glm::vec<3, T> dy) {

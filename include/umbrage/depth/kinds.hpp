@@ -32,7 +32,7 @@ template <real T>
 /// @param z, w    clip coordinates
 /// @param cleared cleared_depth of the clip space: 1, or 0 when reversed
 /// @return        z / w; cleared, which is far, for w <= 0 (not in front of the light) and NaN in w
-/// @exactness     C, n = 3: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness     C, n = 3: one division
 template <real T>
 [[nodiscard]] constexpr T project_depth(T z, T w, T cleared) {
     return w > T(0) && !is_nan(w) ? z / w : cleared;
@@ -42,7 +42,7 @@ template <real T>
 /// @param inv_range   1 / range of the light
 /// @return            0 at the light, 1 at its range; not clamped
 /// @formula           |to_point| * inv_range
-/// @exactness         C, n = 9: a square root, of which GLSL allows a few ulp; 0 seen
+/// @exactness         C, n = 9: a square root
 template <real T>
 [[nodiscard]] T distance_depth(glm::vec<3, T> to_point, T inv_range) {
     return std::sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
@@ -70,8 +70,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (1 - depth (1 - n / f))
-/// @exactness             C, n = 8: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen;
-///                        the distance at depth near 1 hangs on the last bits of depth
+/// @exactness             C, n = 8: two divisions. At depth near 1, the last bits of depth decide the distance
 template <real T>
 [[nodiscard]] constexpr T view_z_from_depth(T depth, T z_near, T z_far) {
     return z_near / (T(1) - depth * (T(1) - z_near / z_far));
@@ -83,7 +82,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (1 - n / z) / (1 - n / f)
-/// @exactness             C, n = 10: three divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 10: three divisions
 template <real T>
 [[nodiscard]] constexpr T depth_from_view_z(T z_view, T z_near, T z_far) {
     return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
@@ -96,7 +95,7 @@ template <real T>
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (n / f + depth (1 - n / f)): within 3 ulp of the distance for depth in [0, 1], as nothing
 ///                        cancels; by way of 1 - depth thousands of ulp are lost far out
-/// @exactness             C, n = 11: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 11: two divisions
 template <real T>
 [[nodiscard]] constexpr T view_z_from_reversed_depth(T depth, T z_near, T z_far) {
     return z_near / (z_near / z_far + depth * (T(1) - z_near / z_far));
@@ -108,7 +107,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z/w in [0, 1], 1 at the near plane; not clamped
 /// @formula               n / z (1 - z / f) / (1 - n / f)
-/// @exactness             C, n = 13: four divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 13: four divisions
 template <real T>
 [[nodiscard]] constexpr T reversed_depth_from_view_z(T z_view, T z_near, T z_far) {
     return z_near / z_view * (T(1) - z_view / z_far) / (T(1) - z_near / z_far);
@@ -131,7 +130,7 @@ template <real T>
 /// @param z_near, z_far   z_near < z_far; when reversed, exchange the two
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (z - n) / (f - n)
-/// @exactness             C, n = 5: one division, of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness             C, n = 5: one division
 template <real T>
 [[nodiscard]] constexpr T orthographic_depth_from_view_z(T z_view, T z_near, T z_far) {
     return (z_view - z_near) / (z_far - z_near);

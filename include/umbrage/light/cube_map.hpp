@@ -88,7 +88,7 @@ template <real T>
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
 /// @formula           s = (sc + m) / 2m, t = (tc + m) / 2m, of cube_plane and m = cube_view_z
-/// @exactness         C, n = 5: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness         C, n = 5: divisions
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = cube_plane(direction);

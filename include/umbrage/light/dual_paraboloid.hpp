@@ -51,7 +51,7 @@ struct dual_paraboloid_light {
 /// @return            (s, t, map): s and t from 0 to 1 over the map's square, within its circle; map 0 or 1
 /// @formula           s = 1/2 + -x / 2 (|p| + |z|), for z < 0 with x, t = 1/2 + y / 2 (|p| + |z|): a texel is as wide
 ///                    as it is high, 2 (1 + |z| / |p|) / map_size radians, in the middle twice of what it is at the rim
-/// @exactness         C, n = 32: a square root and divisions, of each of which GLSL allows 2.5 ulp and more; 0 seen
+/// @exactness         C, n = 32: a square root and divisions
 /// @cite              Brabec, Annen, Seidel: Shadow Mapping for Hemispherical and Omnidirectional Light Sources, 2002
 template <real T>
 [[nodiscard]] glm::vec<3, T> dual_paraboloid_coordinate(glm::vec<3, T> direction) {
@@ -67,7 +67,7 @@ template <real T>
 /// @return            (x w, y w, distance w, w): x and y from -1 to 1 in the map's half, farther out beyond it; w is 0
 ///                    in the middle of the other half, and never below
 /// @formula           w = |p| + z, of map 1 |p| - z
-/// @exactness         C, n = 18: a square root; 0 seen
+/// @exactness         C, n = 18: a square root
 template <real T>
 [[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
     const bool behind = map > T(0.5);

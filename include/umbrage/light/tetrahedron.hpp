@@ -67,7 +67,7 @@ template <real T>
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): t from 0 at the base to 1 at the apex, |s| <= 1 - t
 /// @formula           s = aside / d, t = away / d, d = 2 away - sqrt(2) up
-/// @exactness         C, n = 6: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @exactness         C, n = 6: divisions
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_coordinate(glm::vec<3, T> direction) {
     const glm::vec<3, T> p = tetrahedron_plane(direction);

@@ -1,5 +1,6 @@
 // umbrage 0.1.0, box_mean: mean of four whole numbers over a box, from a summed-area table in two halves. Exactness:
 //   tier C.
+// Tier C: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, cube_direction: direction to a point of a cube's face. Exactness: tier B.
+// Tier B: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -94,7 +94,7 @@ UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP fl
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 16.0;
-    UMBRAGE_HIGHP float d = max(16.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    UMBRAGE_HIGHP float d = max(16.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 4096.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);

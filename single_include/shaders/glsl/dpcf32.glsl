@@ -94,7 +94,7 @@ UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP fl
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened32(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 32.0;
-    UMBRAGE_HIGHP float d = max(32.0 - abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    UMBRAGE_HIGHP float d = max(32.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 32768.0 - d * d * d;
     UMBRAGE_HIGHP float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);

@@ -1,5 +1,6 @@
 // umbrage 0.1.0, dual_paraboloid_coordinate: paraboloid map, and where in it, that sees a direction. Exactness: tier
 //   C.
+// Tier C: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, hausdorff_share: least share of depths before a receiver, of depths on [-1, 1]. Exactness: tier C.
+// Tier C: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, normal_offset: way off a surface to the point that is looked up in its place. Exactness: tier C.
+// Tier C: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -30,6 +30,6 @@ float3 umbrage_encode_rgb24(float depth) {
     float high = floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = floor(rest * (1.0 / 256.0));
-    return float3(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
+    return float3(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
 }
 #endif

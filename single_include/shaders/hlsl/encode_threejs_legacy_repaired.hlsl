@@ -33,7 +33,7 @@ float4 umbrage_encode_threejs_legacy_repaired(float depth) {
     float high = floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = floor(rest * (1.0 / 256.0));
-    float low = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    float low = min(rest - middle * 256.0, 255.0);  // below already: no sum is regrouped across the min
     return v < 1.0 ? float4(0.0, low, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
 }
 #endif

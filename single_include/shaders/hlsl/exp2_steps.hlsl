@@ -18,7 +18,7 @@ float umbrage_power_of_two(float n) {
 float umbrage_exp2_steps(float y) {
     float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     float n = floor(x * (1.0 / 2048.0));
-    float f = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
+    float f = max(x - n * 2048.0, 0.0);  // not negative already: no sum is regrouped across the max
     float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
     float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));

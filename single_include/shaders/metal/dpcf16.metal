@@ -67,7 +67,7 @@ inline float umbrage_floor_divide(float a, float b) {
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 inline float umbrage_hardened16(float blocked, float ratio) {
     float u = blocked * 2.0 - 16.0;
-    float d = metal::max(16.0 - metal::abs(u), 0.0);  // not negative already, no sum is regrouped across the max
+    float d = metal::max(16.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 4096.0 - d * d * d;
     float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);

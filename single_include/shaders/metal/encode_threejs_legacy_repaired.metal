@@ -37,7 +37,7 @@ inline float4 umbrage_encode_threejs_legacy_repaired(float depth) {
     float high = metal::floor(x * (1.0 / 65536.0));
     float rest = x - high * 65536.0;
     float middle = metal::floor(rest * (1.0 / 256.0));
-    float low = metal::min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    float low = metal::min(rest - middle * 256.0, 255.0);  // below already: no sum is regrouped across the min
     return v < 1.0 ? float4(0.0, low, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
 }
 #endif

@@ -22,7 +22,7 @@ inline float umbrage_power_of_two(float n) {
 inline float umbrage_exp2_steps(float y) {
     float x = metal::floor((y > -64.0 ? metal::min(y, 63.0) : -64.0) * 2048.0);
     float n = metal::floor(x * (1.0 / 2048.0));
-    float f = metal::max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
+    float f = metal::max(x - n * 2048.0, 0.0);  // not negative already: no sum is regrouped across the max
     float g = metal::floor(f * (2048.0 - f) * (1.0 / 256.0));
     float r = 1251.0 + metal::floor(f * 314.0 * (1.0 / 2048.0));
     float m = 2048.0 + f - metal::floor((g * r + 16384.0) * (1.0 / 32768.0));

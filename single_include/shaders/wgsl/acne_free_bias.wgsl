@@ -1,5 +1,6 @@
 // umbrage 0.1.0, acne_free_bias: smallest bias without acne, for a slope, a reach and an encoding's error. Exactness:
 //   tier B.
+// Tier B: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: clamp_bias.wgsl; or paste wgsl_joined/acne_free_bias.wgsl alone.

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, cascade_border_fade: weight of the next cascade, by distance from the border. Exactness: tier B.
+// Tier B: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: cascade_weight.wgsl; or paste wgsl_joined/cascade_border_fade.wgsl alone.

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, decode_esm: mean of texels of an exponential shadow map to visibility. Exactness: tier B.
+// Tier B: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: cleared_depth.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl; or

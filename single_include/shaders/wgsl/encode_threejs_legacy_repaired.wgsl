@@ -15,6 +15,6 @@ fn umbrage_encode_threejs_legacy_repaired(depth: f32) -> vec4f {
     let high: f32 = floor(x * (1.0 / 65536.0));
     let rest: f32 = x - high * 65536.0;
     let middle: f32 = floor(rest * (1.0 / 256.0));
-    let low: f32 = min(rest - middle * 256.0, 255.0);  // below already, no sum is regrouped across the min
+    let low: f32 = min(rest - middle * 256.0, 255.0);  // below already: no sum is regrouped across the min
     return select(vec4f(255.0, 255.0, 255.0, 255.0), vec4f(0.0, low, middle, high), v < 1.0);
 }

@@ -8,7 +8,7 @@
 fn umbrage_exp2_steps(y: f32) -> f32 {
     let x: f32 = floor(select(-64.0, min(y, 63.0), y > -64.0) * 2048.0);
     let n: f32 = floor(x * (1.0 / 2048.0));
-    let f: f32 = max(x - n * 2048.0, 0.0);  // not negative already, no sum is regrouped across the max
+    let f: f32 = max(x - n * 2048.0, 0.0);  // not negative already: no sum is regrouped across the max
     let g: f32 = floor(f * (2048.0 - f) * (1.0 / 256.0));
     let r: f32 = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     let m: f32 = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));

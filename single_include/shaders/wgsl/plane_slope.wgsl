@@ -1,4 +1,5 @@
 // umbrage 0.1.0, plane_slope: change of a plane's depth from texel to texel. Exactness: tier C.
+// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: clamp_slope.wgsl; or paste wgsl_joined/plane_slope.wgsl alone.

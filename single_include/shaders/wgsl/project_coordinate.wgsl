@@ -1,4 +1,5 @@
 // umbrage 0.1.0, project_coordinate: the division by w, lit behind the light. Exactness: tier C.
+// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

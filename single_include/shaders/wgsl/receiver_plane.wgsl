@@ -1,5 +1,6 @@
 // umbrage 0.1.0, receiver_plane: slope of a receiver's plane from derivatives, and how far it may be off. Exactness:
 //   tier C.
+// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: clamp_slope.wgsl; or paste wgsl_joined/receiver_plane.wgsl alone.

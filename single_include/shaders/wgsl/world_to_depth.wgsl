@@ -1,4 +1,5 @@
 // umbrage 0.1.0, world_to_depth: world units along a light as depth. Exactness: tier C.
+// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: clamp_bias.wgsl; or paste wgsl_joined/world_to_depth.wgsl alone.

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, box_shadow: lit share of a box of radius 0..8. Exactness: tier B.
+// Tier B: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, cube_coordinate: face, and where on it, that a direction meets. Exactness: tier C.
+// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -22,5 +22,5 @@ fn umbrage_encode_rgb24(depth: f32) -> vec3f {
     let high: f32 = floor(x * (1.0 / 65536.0));
     let rest: f32 = x - high * 65536.0;
     let middle: f32 = floor(rest * (1.0 / 256.0));
-    return vec3f(high, middle, min(rest - middle * 256.0, 255.0));  // below already, no sum is regrouped across the min
+    return vec3f(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
 }

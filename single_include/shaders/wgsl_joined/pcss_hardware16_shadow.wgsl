@@ -1,5 +1,6 @@
 // umbrage 0.1.0, pcss_hardware16_shadow: percentage-closer soft shadows (PCSS) at 16 points, one texture bound to two
 //   samplers. Exactness: tier C.
+// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_depth_2d`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.

@@ -26,9 +26,9 @@ namespace umbrage {
 ///                  ((1 - z) (d D - g (1 + b1)) + k) q, that at f, which lies before the receiver where d > 0, is
 ///                  d^4 / (p q (x d - g)): interpolation's weights, of central moments, where few digits cancel
 /// @exactness       C, n = 173: two divisions; which depths there are is decided without one. In binary32 off, to
-///                  first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the absolute
-///                  coefficients of the polynomial of degree 4 whose mean is the share: 1 at -1, twice 0 at f, 0 at z
-///                  and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1. Rounding up to d and g
+///                  first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the
+///                  absolute coefficients of the polynomial of degree 4 whose mean is the share: 1 at -1, twice 0 at f,
+///                  0 at z and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1. Rounding up to d and g
 ///                  does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the share does not change with
 ///                  f to first order; what follows is off by 8 2^-24 of 1 / (1 + f), 1 / (1 - f), 1 / |z - f| or of
 ///                  1 / ((1 + z) (1 + f)) at a step. Nothing holds s down for all moments: a bias of (0, y, 0, y) is
