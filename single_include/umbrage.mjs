@@ -1561,7 +1561,7 @@ UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
     UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
@@ -1593,7 +1593,7 @@ UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
@@ -1634,7 +1634,7 @@ UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
@@ -1954,7 +1954,7 @@ UMBRAGE_HIGHP float umbrage_tent2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 UMBRAGE_HIGHP float umbrage_tent3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "quadratic_b_spline": `
@@ -1989,7 +1989,7 @@ UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
 UMBRAGE_HIGHP float umbrage_binomial5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano_dyadic5": `
@@ -1999,7 +1999,7 @@ UMBRAGE_HIGHP float umbrage_binomial5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 UMBRAGE_HIGHP float umbrage_castano_dyadic5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano5": `
@@ -2019,7 +2019,7 @@ UMBRAGE_HIGHP float umbrage_castano5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 UMBRAGE_HIGHP float umbrage_binomial7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "tent7": `
@@ -2029,7 +2029,7 @@ UMBRAGE_HIGHP float umbrage_binomial7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 UMBRAGE_HIGHP float umbrage_tent7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano7": `
@@ -4870,7 +4870,7 @@ float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor(clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k0);
     float2 w0 = floor(r * k0);
@@ -4901,7 +4901,7 @@ float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor(clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 w0 = floor(r * k0);
@@ -4941,7 +4941,7 @@ float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor(clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     float2 w0 = floor(r * k0);
@@ -5248,7 +5248,7 @@ float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) 
 //   receiver   depth, biased
 float umbrage_tent3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "quadratic_b_spline": `
@@ -5281,7 +5281,7 @@ float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coord, flo
 //   receiver   depth, biased
 float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano_dyadic5": `
@@ -5290,7 +5290,7 @@ float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float receiv
 //   receiver   depth, biased
 float umbrage_castano_dyadic5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano5": `
@@ -5308,7 +5308,7 @@ float umbrage_castano5(UMBRAGE_MAP map, float2 size, float2 coord, float receive
 //   receiver   depth, biased
 float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "tent7": `
@@ -5317,7 +5317,7 @@ float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float receiv
 //   receiver   depth, biased
 float umbrage_tent7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano7": `
@@ -8039,7 +8039,7 @@ inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, flo
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor(metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k0);
     float2 w0 = metal::floor(r * k0);
@@ -8070,7 +8070,7 @@ inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, flo
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor(metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 w0 = metal::floor(r * k0);
@@ -8110,7 +8110,7 @@ inline float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, flo
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor(metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     float2 w0 = metal::floor(r * k0);
@@ -8417,7 +8417,7 @@ inline float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 //   receiver   depth, biased
 inline float umbrage_tent3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
-    return n * (1.0 / 16777216.0);
+    return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "quadratic_b_spline": `
@@ -8450,7 +8450,7 @@ inline float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coo
 //   receiver   depth, biased
 inline float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
-    return n * (1.0 / 16777216.0);
+    return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano_dyadic5": `
@@ -8459,7 +8459,7 @@ inline float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float
 //   receiver   depth, biased
 inline float umbrage_castano_dyadic5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
-    return n * (1.0 / 16777216.0);
+    return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano5": `
@@ -8477,7 +8477,7 @@ inline float umbrage_castano5(UMBRAGE_MAP map, float2 size, float2 coord, float 
 //   receiver   depth, biased
 inline float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
-    return n * (1.0 / 16777216.0);
+    return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "tent7": `
@@ -8486,7 +8486,7 @@ inline float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float
 //   receiver   depth, biased
 inline float umbrage_tent7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
-    return n * (1.0 / 16777216.0);
+    return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano7": `
@@ -11220,7 +11220,7 @@ fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k0);
     let w0: vec2f = floor(r * k0);
@@ -11251,7 +11251,7 @@ fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k1 + k0);
     let w0: vec2f = floor(r * k0);
@@ -11291,7 +11291,7 @@ fn umbrage_window_sum7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     let w0: vec2f = floor(r * k0);
@@ -11598,7 +11598,7 @@ fn umbrage_tent2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f
 //   receiver   depth, biased
 fn umbrage_tent3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "quadratic_b_spline": `
@@ -11631,7 +11631,7 @@ fn umbrage_quadratic_b_spline(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiv
 //   receiver   depth, biased
 fn umbrage_binomial5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano_dyadic5": `
@@ -11640,7 +11640,7 @@ fn umbrage_binomial5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) 
 //   receiver   depth, biased
 fn umbrage_castano_dyadic5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano5": `
@@ -11658,7 +11658,7 @@ fn umbrage_castano5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -
 //   receiver   depth, biased
 fn umbrage_binomial7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "tent7": `
@@ -11667,7 +11667,7 @@ fn umbrage_binomial7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) 
 //   receiver   depth, biased
 fn umbrage_tent7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 `,
             "castano7": `

@@ -2,10 +2,10 @@
 //
 // The one comparison of all back ends.
 //
-// A and B: bit for bit; C: within an ulp, or the snippet's distance, as on implementations that evaluate as written.
-// NaN equals NaN. Unless the entry is about bits, -0 equals +0 and a denormal may act as zero (IEEE 754 hardware modes
-// and llvmpipe flush): results of flushed inputs, and flushed results, count as equal. Where the implementation may fuse
-// or regroup, `allows` says what else the bounds of B and C promise.
+// A and B: bit for bit; C: within an ulp, or the snippet's distance, as where operations are evaluated as written. NaN
+// equals NaN. Unless the entry is about bits, -0 equals +0 and a denormal may act as zero, as IEEE 754 hardware modes
+// and llvmpipe have it: results of flushed inputs, and flushed results, count as equal. Where an implementation may
+// fuse or regroup, `allows` says what else the bounds of B and C promise.
 #pragma once
 
 #include <functional>

@@ -92,7 +92,7 @@ UMBRAGE_HIGHP float umbrage_window_sum3_shadow(UMBRAGE_HIGHP sampler2DShadow map
     bool compared = umbrage_is_compared_shadow(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor(clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * steps);
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
     UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
@@ -121,6 +121,6 @@ UMBRAGE_HIGHP float umbrage_window_sum3_shadow(UMBRAGE_HIGHP sampler2DShadow map
 UMBRAGE_HIGHP float umbrage_tent3_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                          UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float n = umbrage_window_sum3_shadow(map, size, coord, receiver, 256.0, 4.0, 8.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 #endif

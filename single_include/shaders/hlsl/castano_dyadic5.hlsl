@@ -103,7 +103,7 @@ float umbrage_window_sum5(Texture2D<float4> map, float2 size, float2 coord, floa
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor(clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 w0 = floor(r * k0);
@@ -140,6 +140,6 @@ float umbrage_window_sum5(Texture2D<float4> map, float2 size, float2 coord, floa
 //   receiver   depth, biased
 float umbrage_castano_dyadic5(Texture2D<float4> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 #endif

@@ -80,7 +80,7 @@ inline float umbrage_window_sum5_shadow(metal::depth2d<float> map, metal::sample
     bool compared = umbrage_is_compared_shadow(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor(metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 w0 = metal::floor(r * k0);

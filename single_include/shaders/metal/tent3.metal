@@ -107,7 +107,7 @@ inline float umbrage_window_sum3(metal::texture2d<float> map, float2 size, float
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor(metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * steps);
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k0);
     float2 w0 = metal::floor(r * k0);
@@ -135,6 +135,6 @@ inline float umbrage_window_sum3(metal::texture2d<float> map, float2 size, float
 //   receiver   depth, biased
 inline float umbrage_tent3(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
-    return n * (1.0 / 16777216.0);
+    return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 #endif

@@ -13,5 +13,5 @@
 //   receiver   depth, biased
 fn umbrage_castano_dyadic5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }

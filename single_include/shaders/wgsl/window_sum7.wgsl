@@ -18,7 +18,7 @@ fn umbrage_window_sum7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver
     let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     let w0: vec2f = floor(r * k0);

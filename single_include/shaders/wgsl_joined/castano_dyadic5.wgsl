@@ -71,7 +71,7 @@ fn umbrage_window_sum5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver
     let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k1 + k0);
     let w0: vec2f = floor(r * k0);
@@ -105,5 +105,5 @@ fn umbrage_window_sum5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver
 //   receiver   depth, biased
 fn umbrage_castano_dyadic5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }

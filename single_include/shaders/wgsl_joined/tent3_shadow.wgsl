@@ -55,7 +55,7 @@ fn umbrage_window_sum3_shadow(map: texture_depth_2d, map_sampler: sampler_compar
     let compared: bool = umbrage_is_compared_shadow(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor(clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * steps);
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k0);
     let w0: vec2f = floor(r * k0);
@@ -81,5 +81,5 @@ fn umbrage_window_sum3_shadow(map: texture_depth_2d, map_sampler: sampler_compar
 fn umbrage_tent3_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
                         receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum3_shadow(map, map_sampler, size, coord, receiver, 256.0, 4.0, 8.0);
-    return n * (1.0 / 16777216.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }

@@ -92,7 +92,7 @@ namespace detail {
 /// A row's text: window_sum with its numbers, and what becomes of it.
 [[nodiscard]] inline std::string window_text(std::string_view name, int size, std::string_view weights,
                                              std::string_view numbers,
-                                             std::string_view share = "n * (1.0 / 16777216.0)") {
+                                             std::string_view share = "clamp(n * (1.0 / 16777216.0), 0.0, 1.0)") {
     return filled(R"GLSL(
 // umbrage_$f$n: lit share under $n x $n weights, $w, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
