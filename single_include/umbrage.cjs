@@ -3164,17 +3164,17 @@ UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_H
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
-    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
     UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
     UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
     UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 mean = low * lo.y + high * hi.y;
-    return mean;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
 }
 `,
             "vsm": `
@@ -6380,17 +6380,17 @@ float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
 float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
     float2 x = floor(coord * 256.0) - 128.0;
     float2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
-    float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
-    float2 lo = 1.0 - hi;
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
+    float2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
     float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
     precise float4 low = a * lo.x + b * hi.x;
     precise float4 high = c * lo.x + d * hi.x;
-    precise float4 mean = low * lo.y + high * hi.y;
-    return mean;
+    precise float4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
 }
 `,
             "vsm": `
@@ -9559,17 +9559,17 @@ inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias)
 inline float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
     float2 x = metal::floor(coord * 256.0) - 128.0;
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
-    float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
-    float2 lo = 1.0 - hi;
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
+    float2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
     float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
     float4 low = a * lo.x + b * hi.x;
     float4 high = c * lo.x + d * hi.x;
-    float4 mean = low * lo.y + high * hi.y;
-    return mean;
+    float4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
 }
 `,
             "vsm": `
@@ -12731,17 +12731,17 @@ fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 fn umbrage_fetch_bilinear(UMBRAGE_MAP map, size: vec2f, coord: vec2f) -> vec4f {
     let x: vec2f = floor(coord * 256.0) - 128.0;
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
-    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
-    let lo: vec2f = 1.0 - hi;
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
+    let lo: vec2f = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
     let a: vec4f = umbrage_fetch_clamped(map, size, texel);
     let b: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 0.0));
     let c: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(0.0, 1.0));
     let d: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 1.0));
     let low: vec4f = a * lo.x + b * hi.x;
     let high: vec4f = c * lo.x + d * hi.x;
-    let mean: vec4f = low * lo.y + high * hi.y;
-    return mean;
+    let sum: vec4f = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
 }
 `,
             "vsm": `

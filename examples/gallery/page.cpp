@@ -66,19 +66,9 @@ std::string tier_of(const glsl::snippet& s) {
     return {};
 }
 
-/// What a version's shader is after its first line; the page's script relies on this being the same in all of them.
+/// One text for every version: its conditionals are left to the compiler.
 std::string text_of(const code& c) {
-    std::string text;
-    for (glsl::version v : glsl::versions) {
-        bool supported = true;
-        for (const glsl::bound& s : c.snippets) supported = supported && glsl::supports(s, v);
-        if (!supported) continue;
-        const std::string source = glsl::source(v, c.snippets),
-                          first = "#version " + std::string(glsl::directive(v)) + '\n';
-        if (!source.starts_with(first) || (!text.empty() && source.substr(first.size()) != text))
-            throw std::logic_error(c.label + " differs between dialects by more than #version");
-        text = source.substr(first.size());
-    }
+    std::string text = glsl::text(c.snippets);
     for (const char* end : {"</script", "<!--"})
         if (text.find(end) != std::string::npos) throw std::logic_error(c.label + " cannot stand in a page");
     return text;

@@ -170,9 +170,9 @@ namespace umbrage::glsl {
 ///   b  bit for bit where + - * round to nearest in written order; in any order, fused or not, within the bound
 ///   c  within the bound on every implementation, or within snippet::within of C++
 /// The bound is n 2^-23 S from the result in real arithmetic. n is snippet::operations. S is the formula with every
-/// value's magnitude, at least 2^-103, and every minus a plus; a quotient a / b has S(a) S(b) / b^2. Where a comparison
-/// or floor decides, the bound is on what it decides about, and inside it either side is promised. There is no bound
-/// where S is above the greatest float.
+/// value's magnitude and every minus a plus; a quotient a / b has S(a) S(b) / b^2. Where denormals are flushed, a
+/// product counts at least 2^-103 times its factors above 1. Where a comparison or floor decides, the bound is on what it
+/// decides about, and inside it either side is promised. There is no bound where S is above the greatest float.
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -1032,7 +1032,9 @@ struct any_fetch {
 
 /// A vector that GLM would cut down to a glm::vec2 without a warning: filters delete the call that takes it.
 template <class Coord>
-concept longer_than_vec2 = (Coord::length() > 2);
+concept longer_than_vec2 = requires(Coord coord) {
+    coord.z;
+};
 
 }  // namespace detail
 
@@ -1080,9 +1082,12 @@ consteval bool is_filter() {
 
 namespace umbrage {
 
-/// Texels that a reach grows by where the depth pass moves vertices by up to 1/512 texel, as rasterizers do.
-template <real T>
-inline constexpr T snapping_reach = T(1) / T(128);
+/// Texels that a reach grows by where the depth pass moves vertices to a grid, as rasterizers do.
+/// @tparam SubTexelBits   of the grid: Direct3D has 8, Vulkan at least 4 (subPixelPrecisionBits), OpenGL at least 4
+///                        (SUBPIXEL_BITS); WebGL, WebGPU and Metal state none
+/// @formula               4 times the greatest move, half a step of 2^-SubTexelBits texel
+template <real T, int SubTexelBits = 8>
+inline constexpr T snapping_reach = T(2) / T(1 << SubTexelBits);
 
 /// The smallest bias in depth without acne, for filters that read whole rows and columns.
 ///
@@ -4572,7 +4577,9 @@ namespace umbrage {
 /// What filters ask of a map whose sampler weighs comparisons, and what other maps give in its place: pcf_2x2.
 /// @param coord   no NaN; what is outside texel space counts as its border
 /// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
-/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours
+/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours. Of a sampler
+///                with b bits of weight 2^(1 - b): Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), others
+///                state none
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_filtered(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
@@ -7679,18 +7686,19 @@ namespace umbrage {
 /// @param fetch     ivec2 texel -> float or vector; called four times, texels may lie one outside the map
 /// @param coord     in texels, the first texel's centre is (0.5, 0.5); inside texel space
 /// @return          as fetch
-/// @formula         (a (1 - s) + b s) (1 - t) + (c (1 - s) + d s) t, s and t in [0, 1), multiples of 1/256
+/// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
+///                  of texels below 2^111
 /// @exactness       B, n = 12;  A where texels are multiples of 2^-8 below 1
 template <real T, class Fetch>
 [[nodiscard]] auto fetch_bilinear(Fetch&& fetch, glm::vec<2, T> coord) {
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)), lo = T(1) - hi;
+    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)) * T(256), lo = T(256) - hi;
     const glm::ivec2 at(texel);
     const auto a = fetch(at), b = fetch(at + glm::ivec2(1, 0));
     const auto c = fetch(at + glm::ivec2(0, 1)), d = fetch(at + glm::ivec2(1, 1));
     const auto low = a * lo.x + b * hi.x, high = c * lo.x + d * hi.x;
-    return low * lo.y + high * hi.y;
+    return (low * lo.y + high * hi.y) * T(1.0 / 65536.0);
 }
 
 namespace detail {
@@ -7778,17 +7786,17 @@ inline constexpr snippet fetch_bilinear{
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
-    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
     UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
     UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
     UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 mean = low * lo.y + high * hi.y;
-    return mean;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
 }
 )GLSL",
 };

@@ -25,9 +25,12 @@
 
 namespace umbrage {
 
-/// Texels that a reach grows by where the depth pass moves vertices by up to 1/512 texel, as rasterizers do.
-template <real T>
-inline constexpr T snapping_reach = T(1) / T(128);
+/// Texels that a reach grows by where the depth pass moves vertices to a grid, as rasterizers do.
+/// @tparam SubTexelBits   of the grid: Direct3D has 8, Vulkan at least 4 (subPixelPrecisionBits), OpenGL at least 4
+///                        (SUBPIXEL_BITS); WebGL, WebGPU and Metal state none
+/// @formula               4 times the greatest move, half a step of 2^-SubTexelBits texel
+template <real T, int SubTexelBits = 8>
+inline constexpr T snapping_reach = T(2) / T(1 << SubTexelBits);
 
 /// The smallest bias in depth without acne, for filters that read whole rows and columns.
 ///

@@ -25,7 +25,9 @@ struct any_fetch {
 
 /// A vector that GLM would cut down to a glm::vec2 without a warning: filters delete the call that takes it.
 template <class Coord>
-concept longer_than_vec2 = (Coord::length() > 2);
+concept longer_than_vec2 = requires(Coord coord) {
+    coord.z;
+};
 
 }  // namespace detail
 

@@ -105,17 +105,17 @@ float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
 float4 umbrage_fetch_bilinear(Texture2D<float4> map, float2 size, float2 coord) {
     float2 x = floor(coord * 256.0) - 128.0;
     float2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
-    float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
-    float2 lo = 1.0 - hi;
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
+    float2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
     float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
     precise float4 low = a * lo.x + b * hi.x;
     precise float4 high = c * lo.x + d * hi.x;
-    precise float4 mean = low * lo.y + high * hi.y;
-    return mean;
+    precise float4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
 }
 #endif
 

@@ -68,17 +68,17 @@ fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec
 fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> vec4f {
     let x: vec2f = floor(coord * 256.0) - 128.0;
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
-    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
-    let lo: vec2f = 1.0 - hi;
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
+    let lo: vec2f = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
     let a: vec4f = umbrage_fetch_clamped(map, size, texel);
     let b: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 0.0));
     let c: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(0.0, 1.0));
     let d: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 1.0));
     let low: vec4f = a * lo.x + b * hi.x;
     let high: vec4f = c * lo.x + d * hi.x;
-    let mean: vec4f = low * lo.y + high * hi.y;
-    return mean;
+    let sum: vec4f = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
 }
 
 // umbrage_cleared_depth: depth of the far plane

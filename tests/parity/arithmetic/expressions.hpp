@@ -35,6 +35,7 @@ public:
         n.quantum = quantum_of(v);
         n.term[0] = v;
         n.least = v == 0.0f ? 1.0 : std::min(1.0, std::abs(double(v)));
+        n.greatest = std::max(1.0, std::abs(double(v)));
         n.from = from;
         return add(n);
     }
@@ -58,7 +59,8 @@ public:
         if (n.terms) std::copy_n(y.term.begin(), y.terms, std::copy_n(x.term.begin(), x.terms, n.term.begin()));
         n.known = {0.0f, x.known.real + y.known.real, x.known.magnitude + y.known.magnitude,
                    x.known.operations + y.known.operations + 1.0};
-        n.least = std::min(x.least, y.least), n.factors = std::max(x.factors, y.factors);
+        n.least = std::min(x.least, y.least), n.greatest = std::max(x.greatest, y.greatest),
+        n.factors = std::max(x.factors, y.factors);
         n.quanta = x.quanta + y.quanta;
         n.quantum = std::min(x.quantum, y.quantum);
         n.known.keeps_sign = x.known.keeps_sign && y.known.keeps_sign && x.known.real * y.known.real >= 0.0;
@@ -67,12 +69,13 @@ public:
     [[nodiscard]] number product(number a, number b) {
         const node &x = at(a), &y = at(b);
         node n{.operation = times, .a = a.node_, .b = b.node_};
-        n.known = {0.0f, x.known.real * y.known.real, std::max(x.known.magnitude * y.known.magnitude, least_magnitude),
+        n.known = {0.0f, x.known.real * y.known.real,
+                   std::max(x.known.magnitude * y.known.magnitude, least_magnitude * x.greatest * y.greatest),
                    x.known.operations + y.known.operations + 1.0};
         n.terms = x.terms * y.terms <= most_listed ? x.terms * y.terms : 0;
         for (int i = 0; i < n.terms; ++i)
             n.term[std::size_t(i)] = x.term[std::size_t(i % x.terms)] * y.term[std::size_t(i / x.terms)];
-        n.least = x.least * y.least, n.factors = x.factors + y.factors;
+        n.least = x.least * y.least, n.greatest = x.greatest * y.greatest, n.factors = x.factors + y.factors;
         n.quanta = x.quanta * y.quanta;
         n.quantum = x.quantum + y.quantum;
         n.known.keeps_sign = x.known.keeps_sign && y.known.keeps_sign;
@@ -128,7 +131,8 @@ private:
         int quantum = 0;      ///< exponent of what every value of the expression is a multiple of
         int terms = 1;        ///< multiplied out; 0: more than most_listed
         std::array<double, most_listed> term{};
-        double least = 1.0;  ///< no partial product of a term is below
+        double least = 1.0;     ///< no partial product of a term is below
+        double greatest = 1.0;  ///< nor above
         int factors = 1;
     };
     static constexpr std::uint32_t of_no_node = ~0u;

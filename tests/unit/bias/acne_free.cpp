@@ -16,6 +16,11 @@
 
 using namespace umbrage;
 
+TEST_CASE("snapping_reach: four times the greatest move of a vertex") {
+    CHECK(snapping_reach<float> == 4.0f / 512.0f);
+    CHECK(snapping_reach<double, 4> == 4.0 / 32.0);
+}
+
 TEST_CASE_TEMPLATE("acne_free_bias: by hand", T, float, double) {
     using vec = glm::vec<2, T>;
     const T rounding(0x1p-23);

@@ -24,18 +24,19 @@ namespace umbrage {
 /// @param fetch     ivec2 texel -> float or vector; called four times, texels may lie one outside the map
 /// @param coord     in texels, the first texel's centre is (0.5, 0.5); inside texel space
 /// @return          as fetch
-/// @formula         (a (1 - s) + b s) (1 - t) + (c (1 - s) + d s) t, s and t in [0, 1), multiples of 1/256
+/// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
+///                  of texels below 2^111
 /// @exactness       B, n = 12;  A where texels are multiples of 2^-8 below 1
 template <real T, class Fetch>
 [[nodiscard]] auto fetch_bilinear(Fetch&& fetch, glm::vec<2, T> coord) {
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)), lo = T(1) - hi;
+    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)) * T(256), lo = T(256) - hi;
     const glm::ivec2 at(texel);
     const auto a = fetch(at), b = fetch(at + glm::ivec2(1, 0));
     const auto c = fetch(at + glm::ivec2(0, 1)), d = fetch(at + glm::ivec2(1, 1));
     const auto low = a * lo.x + b * hi.x, high = c * lo.x + d * hi.x;
-    return low * lo.y + high * hi.y;
+    return (low * lo.y + high * hi.y) * T(1.0 / 65536.0);
 }
 
 namespace detail {
@@ -123,17 +124,17 @@ inline constexpr snippet fetch_bilinear{
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
-    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
     UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
     UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
     UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 mean = low * lo.y + high * hi.y;
-    return mean;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
 }
 )GLSL",
 };
