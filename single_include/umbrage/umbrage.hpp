@@ -171,8 +171,8 @@ namespace umbrage::glsl {
 ///   c  within the bound on every implementation, or within snippet::within of C++
 /// The bound is n 2^-23 S from the result in real arithmetic. n is snippet::operations. S is the formula with every
 /// value's magnitude and every minus a plus; a quotient a / b has S(a) S(b) / b^2. Where denormals are flushed, a
-/// product counts at least 2^-103 times its factors above 1. Where a comparison or floor decides, the bound is on what it
-/// decides about, and inside it either side is promised. There is no bound where S is above the greatest float.
+/// product counts at least 2^-103 times its factors above 1. Where a comparison or floor decides, the bound is on what
+/// it decides about, and inside it either side is promised. There is no bound where S is above the greatest float.
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -4577,9 +4577,9 @@ namespace umbrage {
 /// What filters ask of a map whose sampler weighs comparisons, and what other maps give in its place: pcf_2x2.
 /// @param coord   no NaN; what is outside texel space counts as its border
 /// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
-/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours. Of a sampler
-///                with b bits of weight 2^(1 - b): Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), others
-///                state none
+/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours. With b bits
+///                of weight it is 2^(1 - b): Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), others state
+///                none
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_filtered(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);

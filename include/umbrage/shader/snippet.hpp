@@ -21,8 +21,8 @@ namespace umbrage::glsl {
 ///   c  within the bound on every implementation, or within snippet::within of C++
 /// The bound is n 2^-23 S from the result in real arithmetic. n is snippet::operations. S is the formula with every
 /// value's magnitude and every minus a plus; a quotient a / b has S(a) S(b) / b^2. Where denormals are flushed, a
-/// product counts at least 2^-103 times its factors above 1. Where a comparison or floor decides, the bound is on what it
-/// decides about, and inside it either side is promised. There is no bound where S is above the greatest float.
+/// product counts at least 2^-103 times its factors above 1. Where a comparison or floor decides, the bound is on what
+/// it decides about, and inside it either side is promised. There is no bound where S is above the greatest float.
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.

@@ -17,9 +17,9 @@ namespace umbrage {
 /// What filters ask of a map whose sampler weighs comparisons, and what other maps give in its place: pcf_2x2.
 /// @param coord   no NaN; what is outside texel space counts as its border
 /// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
-/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours. Of a sampler
-///                with b bits of weight 2^(1 - b): Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), others
-///                state none
+/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours. With b bits
+///                of weight it is 2^(1 - b): Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), others state
+///                none
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_filtered(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
