@@ -168,7 +168,7 @@ count try_entry(const entry& e, const rules& by, std::size_t inputs, const promi
                 ++all.identical;
                 continue;
             }
-            all.worst_share = std::max(all.worst_share, share);
+            if (!p.as_written || !keeps_no_order) all.worst_share = std::max(all.worst_share, share);
             if (o.not_finite && by.assumes_finite) ++all.not_finite;
             else if (o.denormal && flushes) ++all.denormal;
             else if (p.exactness == tier::a && o.reads_decided > 0) ++all.either_side;
