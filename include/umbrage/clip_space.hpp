@@ -65,7 +65,7 @@ inline constexpr clip_space godot_clip_space{.range = depth_range::zero_to_one, 
 /// Right-handed world, z/w in [0, 1], texels from the bottom: where no API draws, as in tests and on the CPU.
 inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one};
 
-/// Those of APIs and engines, with their names.
+/// Clip spaces of APIs and engines, with their names.
 struct named_clip_space {
     literal name;
     clip_space value;

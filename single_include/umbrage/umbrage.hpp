@@ -401,7 +401,7 @@ inline constexpr clip_space godot_clip_space{.range = depth_range::zero_to_one, 
 /// Right-handed world, z/w in [0, 1], texels from the bottom: where no API draws, as in tests and on the CPU.
 inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one};
 
-/// Those of APIs and engines, with their names.
+/// Clip spaces of APIs and engines, with their names.
 struct named_clip_space {
     literal name;
     clip_space value;
@@ -14730,7 +14730,7 @@ struct frustum {
 
 namespace detail {
 
-/// Where a set-up has to be given a box: one that is none, its low above its high.
+/// Box that nobody gave, its low above its high: set-ups that need one refuse it.
 template <real T>
 inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
 
@@ -17445,7 +17445,7 @@ template <real T>
 /// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
 /// origin, compute the texture matrix in double and round that.
 ///
-/// Where there are no receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
+/// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
 /// or of one around the origin.
 ///
 /// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
@@ -17724,7 +17724,7 @@ template <real T>
     return fit;
 }
 
-/// Where the camera sees nothing of the scene, all that it could see is as good.
+/// Falls back to the camera's frustum where the camera sees nothing of the scene.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const char* function) {
     return completed(fit, fit.camera, function);
@@ -18037,7 +18037,7 @@ template <real T>
     return v;
 }
 
-/// Where there are no receivers, what is right before the light is as good.
+/// Falls back to what is right before the light where there are no receivers.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const lamp<T>& from, const char* function) {
     if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
@@ -18433,9 +18433,10 @@ template <real T>
 
 namespace umbrage {
 
-/// How far the plane's own depth, which is one all over the map, spreads under a matrix that was made in double and
-/// rounded once to float: give acne_free_bias, which sees no slope, this much more. Holds for lights of 3 degrees and
-/// more above the plane and cameras within 30 units of the world's origin; farther out it grows with that distance.
+/// Bound on how far the plane's own depth, which is one all over the map, spreads under a matrix that was made in
+/// double and rounded once to float: give acne_free_bias, which sees no slope, this much more. Holds for lights of 3
+/// degrees and more above the plane and cameras within 30 units of the world's origin; farther out it grows with that
+/// distance.
 template <real T>
 inline constexpr T plane_optimal_rounding = T(0x1p-18);
 
@@ -19094,7 +19095,7 @@ namespace detail {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// What holds of a part of an identifier: letters, digits, single underscores between them.
+/// Checks a part of an identifier: letters, digits, single underscores between them.
 [[nodiscard]] constexpr bool is_part_of_identifier(std::string_view name) {
     char before = '_';
     for (const char c : name) {
@@ -19104,7 +19105,7 @@ namespace detail {
     return name.empty() || before != '_';
 }
 
-/// Whether a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement.
+/// Checks that a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool is_expression(std::string_view text) {
     std::string closing;

@@ -53,7 +53,7 @@ struct frustum {
 
 namespace detail {
 
-/// Where a set-up has to be given a box: one that is none, its low above its high.
+/// Box that nobody gave, its low above its high: set-ups that need one refuse it.
 template <real T>
 inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
 

@@ -100,7 +100,7 @@ template <real T>
 /// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
 /// origin, compute the texture matrix in double and round that.
 ///
-/// Where there are no receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
+/// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
 /// or of one around the origin.
 ///
 /// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no

@@ -25,7 +25,7 @@ namespace detail {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// What holds of a part of an identifier: letters, digits, single underscores between them.
+/// Checks a part of an identifier: letters, digits, single underscores between them.
 [[nodiscard]] constexpr bool is_part_of_identifier(std::string_view name) {
     char before = '_';
     for (const char c : name) {
@@ -35,7 +35,7 @@ namespace detail {
     return name.empty() || before != '_';
 }
 
-/// Whether a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement.
+/// Checks that a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool is_expression(std::string_view text) {
     std::string closing;

@@ -31,10 +31,4 @@ inline constexpr accuracy power_of_two{"exp2(x)", 3.0, 3.0, 3.0, 4.0, 3.0, "-126
 /// of a texel of an 8 or 16-bit UNORM format
 inline constexpr accuracy unorm_read{"UNORM read", 1.0, 1.0, 1.0, 0.5, 1.0, "codes"};
 
-inline constexpr const accuracy* accuracies[]{&division, &square_root, &inverse_square_root, &power_of_two,
-                                              &unorm_read};
-
-/// Bits of a linear sampler's weights: Vulkan guarantees 4, Direct3D 8; OpenGL, ES, WebGL, WebGPU and Metal state none.
-inline constexpr int sub_texel_bits[]{8, 6, 4};
-
 }  // namespace parity::arithmetic

@@ -56,7 +56,7 @@ template <real T>
     return v;
 }
 
-/// Where there are no receivers, what is right before the light is as good.
+/// Falls back to what is right before the light where there are no receivers.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const lamp<T>& from, const char* function) {
     if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);

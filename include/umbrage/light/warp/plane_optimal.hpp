@@ -32,9 +32,10 @@
 
 namespace umbrage {
 
-/// How far the plane's own depth, which is one all over the map, spreads under a matrix that was made in double and
-/// rounded once to float: give acne_free_bias, which sees no slope, this much more. Holds for lights of 3 degrees and
-/// more above the plane and cameras within 30 units of the world's origin; farther out it grows with that distance.
+/// Bound on how far the plane's own depth, which is one all over the map, spreads under a matrix that was made in
+/// double and rounded once to float: give acne_free_bias, which sees no slope, this much more. Holds for lights of 3
+/// degrees and more above the plane and cameras within 30 units of the world's origin; farther out it grows with that
+/// distance.
 template <real T>
 inline constexpr T plane_optimal_rounding = T(0x1p-18);
 

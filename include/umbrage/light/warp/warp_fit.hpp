@@ -72,7 +72,7 @@ template <real T>
     return fit;
 }
 
-/// Where the camera sees nothing of the scene, all that it could see is as good.
+/// Falls back to the camera's frustum where the camera sees nothing of the scene.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const char* function) {
     return completed(fit, fit.camera, function);
