@@ -20,9 +20,9 @@
 #include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/bias/slope.hpp>
+#include <umbrage/core/list.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/list.hpp>
 
 namespace example {
 

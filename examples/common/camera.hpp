@@ -18,8 +18,8 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/image.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/light/bounds.hpp>
 

@@ -10,7 +10,7 @@
 #include <umbrage/images/dual_paraboloid_pass.hpp>
 #include <umbrage/images/overlay.hpp>
 #include <umbrage/images/tessellate.hpp>
-#include <umbrage/light/dual_paraboloid.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 namespace example {

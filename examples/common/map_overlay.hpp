@@ -8,7 +8,7 @@
 
 #include <glm/gtc/type_precision.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 #include "set_ups.hpp"
 

@@ -7,10 +7,10 @@
 
 #include <glm/geometric.hpp>
 
-#include <umbrage/light/cube_map.hpp>
-#include <umbrage/light/dual_paraboloid.hpp>
-#include <umbrage/light/point_light.hpp>
-#include <umbrage/light/tetrahedron_light.hpp>
+#include <umbrage/light/point/cube_map.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
+#include <umbrage/light/point/point_light.hpp>
+#include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 namespace example {

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/images/depth_span.hpp>
 #include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
@@ -21,14 +22,13 @@
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/light/warp/lamp.hpp>
+#include <umbrage/light/warp/light_position.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
 #include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
-#include <umbrage/unorm.hpp>
-#include <umbrage/view/false_colour.hpp>
+#include <umbrage/view/false_color.hpp>
 
 #include "point_maps.hpp"
 #include "sun_pages.hpp"

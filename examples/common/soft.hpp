@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include <umbrage/core/image.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
-#include <umbrage/image.hpp>
 #include <umbrage/images/receivers.hpp>
 
 #include "progress.hpp"

@@ -23,7 +23,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/barycentrics.hpp>
 
 #include "camera.hpp"

@@ -23,7 +23,7 @@
 
 #include <umbrage/bias/light_units.hpp>
 #include <umbrage/bias/normal_offset.hpp>
-#include <umbrage/depth/kinds.hpp>
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>

@@ -8,9 +8,9 @@
 #include <glm/trigonometric.hpp>
 
 #include <umbrage/light/cascades/select.hpp>
-#include <umbrage/light/cube_map.hpp>
-#include <umbrage/light/dual_paraboloid.hpp>
-#include <umbrage/light/tetrahedron.hpp>
+#include <umbrage/light/point/cube_map.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
+#include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <camera.hpp>

@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include <umbrage/core/image.hpp>
 #include <umbrage/shader/glsl.hpp>
-#include <umbrage/image.hpp>
 
 #include <png.hpp>
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include <umbrage/bias/constant.hpp>
-#include <umbrage/compare.hpp>
+#include <umbrage/core/compare.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>

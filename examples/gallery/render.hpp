@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 #include <stage.hpp>
 

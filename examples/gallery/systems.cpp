@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <umbrage/shader/registry.hpp>
-#include <umbrage/view/false_colour.hpp>
+#include <umbrage/view/false_color.hpp>
 
 #include "opengl.hpp"
 #include "sections.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <umbrage/bias/constant.hpp>
-#include <umbrage/compare.hpp>
+#include <umbrage/core/compare.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <command_line.hpp>

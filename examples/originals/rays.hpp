@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 #include "stage.hpp"
 

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/images/overlay.hpp>
 #include <umbrage/images/rasterize.hpp>
-#include <umbrage/unorm.hpp>
 
 #include <choices.hpp>
 #include <command_line.hpp>

@@ -13,7 +13,7 @@
 
 #include <glm/gtc/type_precision.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 #include <names.hpp>
 #include <surface.hpp>

@@ -13,13 +13,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/images/depth_span.hpp>
 #include <umbrage/images/instances.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
-#include <umbrage/unorm.hpp>
 
 #include <biases.hpp>
 #include <camera.hpp>

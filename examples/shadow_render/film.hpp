@@ -13,11 +13,11 @@
 #include <umbrage/bias/kernel.hpp>
 #include <umbrage/bias/light_units.hpp>
 #include <umbrage/bias/normal_offset.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/images/stability.hpp>
 #include <umbrage/shade/lighting.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/unorm.hpp>
 
 #include <camera.hpp>
 #include <scene.hpp>

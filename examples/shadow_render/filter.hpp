@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 #include <progress.hpp>
 

@@ -10,7 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <umbrage/bias/light_units.hpp>
-#include <umbrage/depth/kinds.hpp>
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/shade/lighting.hpp>

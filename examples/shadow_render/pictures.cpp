@@ -6,9 +6,9 @@
 #include <utility>
 #include <variant>
 
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/images/overlay.hpp>
-#include <umbrage/unorm.hpp>
-#include <umbrage/view/false_colour.hpp>
+#include <umbrage/view/false_color.hpp>
 
 #include <camera.hpp>
 #include <png.hpp>

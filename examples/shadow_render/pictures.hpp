@@ -5,7 +5,7 @@
 
 #include <glm/gtc/type_precision.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 #include <shadow_map.hpp>
 

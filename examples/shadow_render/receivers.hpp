@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/receivers.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 

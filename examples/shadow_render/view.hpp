@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 #include <camera.hpp>
 #include <scene.hpp>

@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 #include <command_line.hpp>
 #include <png.hpp>

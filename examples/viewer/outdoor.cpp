@@ -8,7 +8,7 @@
 
 #include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/bias/slope.hpp>
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/instances.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/splits.hpp>

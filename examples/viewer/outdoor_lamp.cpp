@@ -8,7 +8,7 @@
 
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/images/tessellate.hpp>
-#include <umbrage/light/dual_paraboloid.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include "outdoor.hpp"

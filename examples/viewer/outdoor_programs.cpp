@@ -10,13 +10,13 @@
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/bias/slope.hpp>
-#include <umbrage/depth/kinds.hpp>
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
-#include <umbrage/light/cube_map.hpp>
-#include <umbrage/light/dual_paraboloid.hpp>
-#include <umbrage/light/tetrahedron.hpp>
+#include <umbrage/light/point/cube_map.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
+#include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/shader/bind.hpp>

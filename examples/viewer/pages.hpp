@@ -15,7 +15,7 @@
 
 #include <glm/gtc/type_precision.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/adaptive/root.hpp>

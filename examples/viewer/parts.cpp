@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <string_view>
 
-#include <umbrage/compare.hpp>
+#include <umbrage/core/compare.hpp>
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
-#include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/images/moment_table.hpp>

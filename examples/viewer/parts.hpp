@@ -10,7 +10,7 @@
 
 #include <glm/gtc/type_precision.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/glsl.hpp>
 

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <limits>
 
-#include <umbrage/light/dual_paraboloid.hpp>
-#include <umbrage/light/point_light.hpp>
-#include <umbrage/light/tetrahedron_light.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
+#include <umbrage/light/point/point_light.hpp>
+#include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
 #include <umbrage/light/warp/plane_optimal.hpp>

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include <umbrage/core/image.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
-#include <umbrage/image.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <biases.hpp>

@@ -11,8 +11,8 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/bias/constant.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
-#include <umbrage/image.hpp>
 #include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 

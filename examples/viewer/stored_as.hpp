@@ -16,8 +16,8 @@
 
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/texel_space.hpp>
 #include <umbrage/depth/encodings.hpp>
-#include <umbrage/filter/texel_space.hpp>
 #include <umbrage/shader/glsl.hpp>
 
 namespace viewer {

@@ -36,7 +36,7 @@
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/sweep.hpp>
-#include <umbrage/light/warp/lamp.hpp>
+#include <umbrage/light/warp/light_position.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
 #include <umbrage/light/warp/plane_optimal.hpp>

@@ -65,7 +65,7 @@
 #include <utility>
 #include <vector>
 
-// ---- umbrage/config.hpp
+// ---- umbrage/core/config.hpp
 // What depends on the compiler or its flags, outside of simd/: how errors are reported, and how bits are read.
 //
 //     umbrage::set_error_handler([](const char* message) { log(message); std::exit(1); });  // with -fno-exceptions
@@ -140,7 +140,7 @@ inline error_handler set_error_handler(error_handler handler) {
 
 }  // namespace umbrage
 
-// ---- umbrage/literal.hpp
+// ---- umbrage/core/literal.hpp
 // Names and texts that are written down: a std::string_view, but for what it costs to compile. That one counts its
 // characters one by one, by calls that the compiler evaluates.
 //
@@ -158,7 +158,7 @@ struct literal : std::string_view {
 
 }  // namespace umbrage
 
-// ---- umbrage/shader/snippet.hpp
+// ---- umbrage/core/snippet.hpp
 // GLSL twins: what a snippet is. Texts are made of them in glsl.hpp.
 //
 
@@ -342,7 +342,7 @@ struct short_name {
 }  // namespace detail
 }  // namespace umbrage::glsl
 
-// ---- umbrage/clip_space.hpp
+// ---- umbrage/core/clip_space.hpp
 // Conventions as values: which way the camera looks, what depth means, where the first texel is.
 // Passed explicitly everywhere; GLM's configuration macros are neither read nor needed.
 //
@@ -462,7 +462,7 @@ inline constexpr const snippet* clip_space_snippets[]{&cleared_depth};
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/scalar.hpp
+// ---- umbrage/core/scalar.hpp
 // The scalar ground rules: which types are depths, what NaN means, what clamping does.
 //
 //     float d = umbrage::saturate(z);  // everything from 1 up, and NaN: 1;  everything from 0 down: 0
@@ -541,7 +541,7 @@ inline constexpr const snippet* scalar_snippets[]{&saturate};
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/compare.hpp
+// ---- umbrage/core/compare.hpp
 // The depth test of a shadow map, and the two classic samples' ways to write it.
 //
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
@@ -824,7 +824,7 @@ inline constexpr const snippet* constant_snippets[]{&clamp_bias, &biased};
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/unorm.hpp
+// ---- umbrage/core/unorm.hpp
 // Between integer channels 0..255 and what an 8-bit render target takes and gives.
 //
 //     vec4 colour = umbrage_to_unorm(channels);    // writing: the same byte whether the store rounds or truncates
@@ -1280,7 +1280,7 @@ inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/simd/algorithm.hpp
+// ---- umbrage/core/algorithm.hpp
 // What the library needs of <algorithm>. To include that takes a quarter as long as all else that programs with shadow
 // maps include of the standard library and of GLM.
 //
@@ -1387,6 +1387,32 @@ template <class T>
 
 }  // namespace umbrage::detail
 
+// ---- umbrage/core/check.hpp
+// How set-up functions refuse bad input.
+//
+//     detail::require(map_size >= 1, "make_cascades", "map_size", "must be above 0", map_size);
+//
+
+namespace umbrage::detail {
+
+/// Reports an argument of a set-up function, or several, unless what they need is met.
+inline void require(bool met, const char* function, const char* arguments, const char* problem) {
+    if (met) return;
+    std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
+    for (const char* part : {function, ": ", arguments, " ", problem}) message += part;
+    fail(message);
+}
+
+/// The same, and the number that was given.
+inline void require(bool met, const char* function, const char* argument, const char* condition, double got) {
+    if (met) return;
+    char problem[128];
+    std::snprintf(problem, sizeof problem, "%s; got %g", condition, got);
+    require(false, function, argument, problem);
+}
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/light/light_space.hpp
 // A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
 // matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
@@ -1406,22 +1432,6 @@ struct light_space {
 };
 
 namespace detail {
-
-/// Reports an argument of a set-up function, or several, unless what they need is met.
-inline void require(bool met, const char* function, const char* arguments, const char* problem) {
-    if (met) return;
-    std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
-    for (const char* part : {function, ": ", arguments, " ", problem}) message += part;
-    fail(message);
-}
-
-/// The same, and the number that was given.
-inline void require(bool met, const char* function, const char* argument, const char* condition, double got) {
-    if (met) return;
-    char problem[128];
-    std::snprintf(problem, sizeof problem, "%s; got %g", condition, got);
-    require(false, function, argument, problem);
-}
 
 /// True for what neither overflowed nor is lost where denormals count as zero.
 template <real T>
@@ -2315,6 +2325,529 @@ inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane, &on_r
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/core/floor_divide.hpp
+// Whole numbers over whole numbers, rounded down: exact in floats, however far off the machine's division is.
+//
+//     float mean = umbrage::floor_divide(sum, count);
+//
+// GLSL allows a quotient to be 2.5 ulp off, older dialects anything. Its floor is then one off where the true quotient
+// is whole or nearly so; a product tells, and products of whole numbers are exact.
+
+namespace umbrage {
+
+/// The quotient that a guess is at most one away from.
+/// @param q     whole, floor(a / b) - 1 .. floor(a / b) + 1
+/// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24
+/// @return      floor(a / b)
+/// @formula     q - [q b > a], then one more where that leaves b or more of a
+/// @exactness   A: a product of 2^24 or more is beyond a, however it rounds
+template <real T>
+[[nodiscard]] constexpr T mend_quotient(T q, T a, T b) {
+    const T low = q * b > a ? q - T(1) : q;
+    return (low + T(1)) * b <= a ? low + T(1) : low;
+}
+
+/// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24;   their quotient at most 2^18
+/// @return      floor(a / b)
+/// @exactness   A: with a quotient up to 8 ulp off, less than 1 in so small a one, mend_quotient has all it needs
+template <real T>
+[[nodiscard]] T floor_divide(T a, T b) {
+    return mend_quotient(std::floor(a / b), a, b);
+}
+
+namespace glsl {
+
+inline constexpr snippet mend_quotient{
+    .name = "mend_quotient",
+    .summary = "a quotient of whole numbers, from one at most one off",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+)GLSL",
+};
+
+inline constexpr snippet floor_divide{
+    .name = "floor_divide",
+    .summary = "whole numbers divided and rounded down, whatever the division's error",
+    .exactness = tier::a,
+    .needs = list<&mend_quotient>,
+    .source = R"GLSL(
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    return umbrage_mend_quotient(floor(a / b), a, b);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* floor_divide_snippets[]{&mend_quotient, &floor_divide};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/core/image.hpp
+// Images: a view over anybody's pixels, an owner, and the two ways to fetch a texel.
+//
+//     umbrage::image<float> map({1024, 1024}, 1.0f);
+//     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
+//     float depth = umbrage::clamped(foreign)(glm::ivec2(-1, 5));  // the texel at (0, 5)
+//
+
+namespace umbrage {
+
+/// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
+/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
+/// zero in its size.
+template <class T>
+struct image_view {
+    T* data = nullptr;
+    glm::ivec2 size{0, 0};
+    std::ptrdiff_t stride = 0;  ///< in bytes
+
+    constexpr image_view() = default;
+
+    /// Rows that follow each other without a gap.
+    constexpr image_view(T* pixels, glm::ivec2 extent)
+        : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
+
+    /// @throws std::invalid_argument  negative size; pixels missing; stride shorter than a row
+    ///                                or not a multiple of the alignment of T
+    constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
+        : data(pixels), size(extent), stride(stride_bytes) {
+        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
+        if (empty()) return;
+        const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
+        const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
+        if (!pixels) detail::fail("umbrage::image_view: no pixels");
+        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
+        if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
+            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
+    }
+
+    /// A view that may write is also a view that may read.
+    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
+
+    [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
+
+    /// First texel of row y, 0 <= y < size.y.
+    [[nodiscard]] T* row(int y) const {
+        assert(y >= 0 && y < size.y);
+        using byte = std::conditional_t<std::is_const_v<T>, const std::byte, std::byte>;
+        return reinterpret_cast<T*>(reinterpret_cast<byte*>(data) + y * stride);
+    }
+
+    /// Texel inside the image.
+    [[nodiscard]] T& operator[](glm::ivec2 texel) const {
+        assert(texel.x >= 0 && texel.x < size.x);
+        return row(texel.y)[texel.x];
+    }
+
+    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
+    /// @throws std::invalid_argument  not inside the image
+    [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
+        const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
+                            extent.x <= size.x - first.x && extent.y <= size.y - first.y;
+        if (!inside) detail::fail("umbrage::image_view: region is not inside the image");
+        const bool none = extent.x == 0 || extent.y == 0;
+        return {none ? data : row(first.y) + first.x, extent, stride};
+    }
+
+    /// Rows first <= y < last as a view of their own: the unit of work for a thread.
+    [[nodiscard]] image_view rows(int first, int last) const {
+        assert(0 <= first && first <= last && last <= size.y);
+        return {first < last ? row(first) : data, {size.x, last - first}, stride};
+    }
+};
+
+namespace detail {
+
+/// Aligns memory to cache lines, so that no block of pixels straddles two without need.
+template <class T>
+struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class Other>
+    line_allocator(const line_allocator<Other>&) {}
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
+    bool operator==(const line_allocator&) const = default;
+};
+
+}  // namespace detail
+
+/// Pixels of our own, without gaps between rows.
+template <class T>
+class image {
+public:
+    image() = default;
+
+    /// @throws std::invalid_argument  negative size
+    explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
+        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
+        texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
+    }
+
+    [[nodiscard]] glm::ivec2 size() const { return size_; }
+    [[nodiscard]] bool empty() const { return texels_.empty(); }
+    [[nodiscard]] std::span<T> texels() & { return texels_; }
+    [[nodiscard]] std::span<const T> texels() const& { return texels_; }
+    void texels() && = delete;  ///< of a temporary: they would dangle
+
+    [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
+    [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
+
+    [[nodiscard]] image_view<T> view() { return {texels_.data(), size_}; }
+    [[nodiscard]] image_view<const T> view() const { return {texels_.data(), size_}; }
+    operator image_view<T>() { return view(); }
+    operator image_view<const T>() const { return view(); }
+
+private:
+    static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to view: use std::uint8_t");
+    glm::ivec2 size_{0, 0};
+    std::vector<T, detail::line_allocator<T>> texels_;
+};
+
+namespace detail {
+
+/// What functions over images take: an image, or a view of one.
+template <class T>
+[[nodiscard]] image_view<T> view_of(image_view<T> view) {
+    return view;
+}
+template <class T>
+[[nodiscard]] image_view<T> view_of(image<T>& of) {
+    return of;
+}
+template <class T>
+[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
+    return of;
+}
+template <class T>
+inline constexpr bool is_image = false;
+template <class T>
+inline constexpr bool is_image<image<T>> = true;
+template <class... Any>
+concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
+
+}  // namespace detail
+
+/// Texel inside the map.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> texel(image_view<T> map, glm::ivec2 at) {
+    return map[at];
+}
+
+/// @param size    of a map, in texels
+/// @exactness     A
+[[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
+}
+
+/// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> fetch_clamped(image_view<T> map, glm::ivec2 texel) {
+    assert(!map.empty());
+    const int x = texel.x < 0 ? 0 : (texel.x < map.size.x ? texel.x : map.size.x - 1);
+    const int y = texel.y < 0 ? 0 : (texel.y < map.size.y ? texel.y : map.size.y - 1);
+    return map.row(y)[x];
+}
+
+/// Texel of the map, or `border` outside of it. An empty map is all border.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
+                                                    std::remove_const_t<T> border) {
+    return inside_map(map.size, texel) ? map.row(texel.y)[texel.x] : border;
+}
+
+/// fetch_clamped as the callable that filters take.
+/// @throws std::invalid_argument  empty map
+template <class T>
+[[nodiscard]] auto clamped(image_view<T> map) {
+    if (map.empty()) detail::fail("umbrage::clamped: empty map");
+    return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
+}
+template <class T>
+[[nodiscard]] auto clamped(const image<T>& map) {
+    return clamped(map.view());
+}
+
+/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
+/// lit.
+template <class T>
+[[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
+    return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
+}
+template <class T>
+[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
+    return bordered(map.view(), border);
+}
+
+namespace glsl {
+
+inline constexpr snippet texel{
+    .name = "texel",
+    .summary = "texel inside a map",
+    .exactness = tier::a,
+    .role = hook::texel,
+    .source = R"GLSL(
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+)GLSL",
+};
+
+inline constexpr snippet inside_map{
+    .name = "inside_map",
+    .summary = "whether a texel is one of the map's",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+)GLSL",
+};
+
+inline constexpr snippet fetch_clamped{
+    .name = "fetch_clamped",
+    .summary = "texel of a map, outside the nearest one inside",
+    .exactness = tier::a,
+    .needs = list<&texel>,
+    .source = R"GLSL(
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+)GLSL",
+};
+
+inline constexpr snippet fetch_bordered{
+    .name = "fetch_bordered",
+    .summary = "texel of a map, outside a border value",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped, &inside_map>,
+    .source = R"GLSL(
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* image_snippets[]{&texel, &inside_map, &fetch_clamped, &fetch_bordered};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/core/texel_space.hpp
+// What every filter over a map shares: the range of its coordinates, and the comparison with a texel.
+//
+//     if (!umbrage::inside_texel_space(coord)) return 1;  // NaN, infinite or absurd: lit
+//
+
+namespace umbrage {
+
+/// True when |coord| < 2^15 in both directions, so that texel numbers and 1/256 of them stay exact.
+/// Filters take everything else, NaN included, as lit.
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr bool inside_texel_space(glm::vec<2, T> coord) {
+    const auto inside = [](T v) { return !is_nan(v) && v < T(32768) && v > T(-32768); };
+    return inside(coord.x) && inside(coord.y);
+}
+
+/// Whether a filter compares a receiver at all. Two kinds are lit without: coordinates outside texel space, and depths
+/// beyond the far plane.
+/// @param is_lit   the comparison; one without beyond_far has no far plane
+/// @exactness      A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
+    return inside_texel_space(coord) && !beyond_far(receiver, is_lit);
+}
+
+/// Stored depth of a texel: the fetch callable of every filter, by name.
+/// @param fetch   ivec2 texel -> depth, e.g. clamped(map), or decoded(map, rg<11>{}) for packed maps
+template <class Fetch>
+[[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
+    return fetch(texel);
+}
+
+/// Stored depth of the texel at a point of the map.
+/// @param fetch   ivec2 texel -> stored depth
+/// @param size    of the map, in texels
+/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
+/// @exactness     C, n = 4: the fetched depth, but at borders between texels: a sampler takes the nearest to what it
+///                rounds its coordinates to, 2^-10 texel off in a map of 8192
+template <real T, class Fetch>
+[[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
+    return T(fetch(glm::ivec2(glm::floor(uv * size))));
+}
+
+/// Visibility of one comparison with a texel.
+/// @param fetch   ivec2 texel -> stored depth
+/// @return        1 when lit, 0 in shadow
+/// @exactness     A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] constexpr T lit(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    return compare(receiver, T(fetch(texel)), is_lit);
+}
+
+/// Visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1): what one gather gives.
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] constexpr glm::vec<4, T> lit_2x2(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    const T a = lit(fetch, texel, receiver, is_lit), b = lit(fetch, texel + glm::ivec2(1, 0), receiver, is_lit);
+    const T c = lit(fetch, texel + glm::ivec2(0, 1), receiver, is_lit);
+    return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
+}
+
+/// A packed map as the fetch callable that filters take.
+/// @param fetch      ivec2 -> texel, e.g. bordered(map, encoding.cleared()); a map stands for clamped(map)
+/// @param encoding   one of encodings.hpp
+/// @throws std::invalid_argument  empty map
+template <std::invocable<glm::ivec2> Fetch, class Encoding>
+[[nodiscard]] auto decoded(Fetch fetch, Encoding encoding) {
+    return [fetch, encoding](glm::ivec2 texel) { return encoding.decode(fetch(texel)); };
+}
+template <class Texel, class Encoding>
+[[nodiscard]] auto decoded(image_view<Texel> map, Encoding encoding) {
+    return decoded(clamped(map), encoding);
+}
+template <class Texel, class Encoding>
+[[nodiscard]] auto decoded(const image<Texel>& map, Encoding encoding) {
+    return decoded(map.view(), encoding);
+}
+
+namespace glsl {
+
+inline constexpr snippet inside_texel_space{
+    .name = "inside_texel_space",
+    .summary = "coordinates a filter can take",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet is_compared{
+    .name = "is_compared",
+    .summary = "receivers that a filter compares; it takes the others as lit",
+    .exactness = tier::a,
+    .needs = list<&inside_texel_space, &beyond_far>,
+    .source = R"GLSL(
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+)GLSL",
+};
+
+/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined
+/// beforehand, makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
+inline constexpr snippet fetch_depth{
+    .name = "fetch_depth",
+    .summary = "stored depth of a texel",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped, &fetch_bordered, &cleared_depth>,
+    .role = hook::fetch_depth,
+    .source = R"GLSL(
+// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
+// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+#ifndef UMBRAGE_FETCH
+#ifndef UMBRAGE_OUTSIDE_LIT
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+#else
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
+#endif
+#endif
+// umbrage_fetch_depth: stored depth of a texel
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return UMBRAGE_FETCH(map, size, texel);
+}
+)GLSL",
+};
+
+inline constexpr snippet lit{
+    .name = "lit",
+    .summary = "one comparison with a texel",
+    .exactness = tier::a,
+    .needs = list<&compare, &fetch_depth>,
+    .role = hook::lit,
+    .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+)GLSL",
+};
+
+inline constexpr snippet lit_2x2{
+    .name = "lit_2x2",
+    .summary = "comparisons with the 2x2 texels from one on",
+    .exactness = tier::a,
+    .needs = list<&lit>,
+    .role = hook::lit_2x2,
+    .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    return vec4(a, b, c, d);
+}
+)GLSL",
+};
+
+/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
+inline constexpr snippet depth_at{
+    .name = "depth_at",
+    .summary = "stored depth at a point of the map",
+    .exactness = tier::c,
+    .operations = 4,
+    .needs = list<&fetch_depth>,
+    .role = hook::depth_at,
+    .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+)GLSL",
+};
+
+inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, &inside_texel_space,
+                                                       &is_compared, &lit,      &lit_2x2};
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/depth/code.hpp
 // A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
 //
@@ -2362,127 +2895,7 @@ template <int Bits, real T>
 
 }  // namespace umbrage
 
-// ---- umbrage/depth/depth32f.hpp
-// A map of plain floats, with the face of an encoding.
-//
-//     umbrage::image<float> map(size, umbrage::depth32f{}.cleared());
-//
-
-namespace umbrage {
-
-/// Clamped to [0, 1] on the way in; on the way out the texel is the depth.
-struct depth32f {
-    using texel = float;
-    static constexpr literal name = "depth32f";
-    static constexpr literal summary = "A float texture: nothing to encode.";
-    static constexpr const glsl::snippet* writer = &glsl::saturate;
-    static constexpr const glsl::snippet* reader = nullptr;
-    static constexpr written writes = written::depth;
-    static constexpr std::uint64_t codes = 0x3F800001;  ///< floats from 0 to 1
-
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] constexpr texel encode(float depth) const { return saturate(depth, cleared_depth(direction)); }
-    [[nodiscard]] constexpr float decode(texel t) const { return t; }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {}; }
-    [[nodiscard]] constexpr texel cleared() const { return cleared_depth(direction); }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/depth/float_bits.hpp
-// The bit pattern of any binary32 value in four 8-bit channels, R least significant.
-//
-//     glm::u8vec4 texel = umbrage::encode_float_bits(view_space_distance);
-//     float same = umbrage::decode_float_bits(texel);
-//
-
-namespace umbrage {
-
-/// Float to channels.
-///
-/// @param v       any value; infinities, NaN and its payload survive
-/// @return        integer channels 0..255, R least significant
-/// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
-template <class = void>  // templates alone may be constexpr where GLM_FORCE_INTRINSICS makes vectors no constants
-[[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
-    const auto bits = detail::bit_cast<std::uint32_t>(v);
-    return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
-            static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
-}
-
-/// Bytes to float.
-[[nodiscard]] constexpr float decode_float_bits(glm::u8vec4 texel) {
-    return detail::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
-                                   std::uint32_t(texel.w) << 24);
-}
-
-/// Values read from an 8-bit texture to float.
-/// @param c       as sampled, k / 255, in any rounding; clamped to [0, 1], which no texture leaves; NaN counts as 1
-/// @exactness     A
-[[nodiscard]] inline float decode_float_bits(glm::vec4 c) {
-    glm::u8vec4 texel(0);
-    for (glm::length_t i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(from_unorm(saturate(c[i])));
-    return decode_float_bits(texel);
-}
-
-namespace glsl {
-
-inline constexpr snippet encode_float_bits{
-    .name = "encode_float_bits",
-    .summary = "any float's bit pattern to four channels, R least significant",
-    .exactness = tier::a,
-    .lowest = version::v300_es,
-    .source = R"GLSL(
-// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
-UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
-    UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
-    return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_float_bits{
-    .name = "decode_float_bits",
-    .summary = "four channels, R least significant, to the float they are",
-    .exactness = tier::a,
-    .lowest = version::v300_es,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
-UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
-    UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
-    UMBRAGE_HIGHP uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
-    UMBRAGE_HIGHP uint b = uint(umbrage_saturate(c.z) * 255.0 + 0.5);
-    UMBRAGE_HIGHP uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
-    return uintBitsToFloat(r | (g << 8) | (b << 16) | (a << 24));
-}
-)GLSL",
-};
-
-}  // namespace glsl
-
-/// The encoding as a value.
-struct float_bits {
-    using texel = glm::u8vec4;
-    static constexpr literal name = "float_bits";
-    static constexpr literal summary = "The bit pattern of the float itself, R least significant.";
-    static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
-    static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
-    static constexpr written writes = written::bytes;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-
-    depth_direction direction = depth_direction::forward;
-
-    [[nodiscard]] texel encode(float depth) const { return encode_float_bits(depth); }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {}; }
-    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/depth/kinds.hpp
+// ---- umbrage/depth/conversions.hpp
 // Kinds of depth, and the way from one to another.
 //   z/w               what the rasterizer interpolates: project_depth
 //   linear depth      view-space distance along the light's axis over z_far: linear_depth
@@ -2774,275 +3187,124 @@ inline constexpr const auto& kinds_snippets =
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/image.hpp
-// Images: a view over anybody's pixels, an owner, and the two ways to fetch a texel.
+// ---- umbrage/depth/depth32f.hpp
+// A map of plain floats, with the face of an encoding.
 //
-//     umbrage::image<float> map({1024, 1024}, 1.0f);
-//     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
-//     float depth = umbrage::clamped(foreign)(glm::ivec2(-1, 5));  // the texel at (0, 5)
+//     umbrage::image<float> map(size, umbrage::depth32f{}.cleared());
 //
 
 namespace umbrage {
 
-/// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
-/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
-/// zero in its size.
-template <class T>
-struct image_view {
-    T* data = nullptr;
-    glm::ivec2 size{0, 0};
-    std::ptrdiff_t stride = 0;  ///< in bytes
+/// Clamped to [0, 1] on the way in; on the way out the texel is the depth.
+struct depth32f {
+    using texel = float;
+    static constexpr literal name = "depth32f";
+    static constexpr literal summary = "A float texture: nothing to encode.";
+    static constexpr const glsl::snippet* writer = &glsl::saturate;
+    static constexpr const glsl::snippet* reader = nullptr;
+    static constexpr written writes = written::depth;
+    static constexpr std::uint64_t codes = 0x3F800001;  ///< floats from 0 to 1
 
-    constexpr image_view() = default;
+    depth_direction direction = depth_direction::forward;
 
-    /// Rows that follow each other without a gap.
-    constexpr image_view(T* pixels, glm::ivec2 extent)
-        : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
-
-    /// @throws std::invalid_argument  negative size; pixels missing; stride shorter than a row
-    ///                                or not a multiple of the alignment of T
-    constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
-        : data(pixels), size(extent), stride(stride_bytes) {
-        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
-        if (empty()) return;
-        const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
-        const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
-        if (!pixels) detail::fail("umbrage::image_view: no pixels");
-        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
-        if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
-            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
-    }
-
-    /// A view that may write is also a view that may read.
-    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
-
-    [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
-
-    /// First texel of row y, 0 <= y < size.y.
-    [[nodiscard]] T* row(int y) const {
-        assert(y >= 0 && y < size.y);
-        using byte = std::conditional_t<std::is_const_v<T>, const std::byte, std::byte>;
-        return reinterpret_cast<T*>(reinterpret_cast<byte*>(data) + y * stride);
-    }
-
-    /// Texel inside the image.
-    [[nodiscard]] T& operator[](glm::ivec2 texel) const {
-        assert(texel.x >= 0 && texel.x < size.x);
-        return row(texel.y)[texel.x];
-    }
-
-    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
-    /// @throws std::invalid_argument  not inside the image
-    [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
-        const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
-                            extent.x <= size.x - first.x && extent.y <= size.y - first.y;
-        if (!inside) detail::fail("umbrage::image_view: region is not inside the image");
-        const bool none = extent.x == 0 || extent.y == 0;
-        return {none ? data : row(first.y) + first.x, extent, stride};
-    }
-
-    /// Rows first <= y < last as a view of their own: the unit of work for a thread.
-    [[nodiscard]] image_view rows(int first, int last) const {
-        assert(0 <= first && first <= last && last <= size.y);
-        return {first < last ? row(first) : data, {size.x, last - first}, stride};
-    }
+    [[nodiscard]] constexpr texel encode(float depth) const { return saturate(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return t; }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {}; }
+    [[nodiscard]] constexpr texel cleared() const { return cleared_depth(direction); }
 };
 
-namespace detail {
+}  // namespace umbrage
 
-/// Aligns memory to cache lines, so that no block of pixels straddles two without need.
-template <class T>
-struct line_allocator {
-    using value_type = T;
-    static constexpr std::align_val_t line{64};
+// ---- umbrage/depth/float_bits.hpp
+// The bit pattern of any binary32 value in four 8-bit channels, R least significant.
+//
+//     glm::u8vec4 texel = umbrage::encode_float_bits(view_space_distance);
+//     float same = umbrage::decode_float_bits(texel);
+//
 
-    line_allocator() = default;
-    template <class Other>
-    line_allocator(const line_allocator<Other>&) {}
-    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
-    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
-    bool operator==(const line_allocator&) const = default;
-};
+namespace umbrage {
 
-}  // namespace detail
-
-/// Pixels of our own, without gaps between rows.
-template <class T>
-class image {
-public:
-    image() = default;
-
-    /// @throws std::invalid_argument  negative size
-    explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
-        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
-        texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
-    }
-
-    [[nodiscard]] glm::ivec2 size() const { return size_; }
-    [[nodiscard]] bool empty() const { return texels_.empty(); }
-    [[nodiscard]] std::span<T> texels() & { return texels_; }
-    [[nodiscard]] std::span<const T> texels() const& { return texels_; }
-    void texels() && = delete;  ///< of a temporary: they would dangle
-
-    [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
-    [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
-
-    [[nodiscard]] image_view<T> view() { return {texels_.data(), size_}; }
-    [[nodiscard]] image_view<const T> view() const { return {texels_.data(), size_}; }
-    operator image_view<T>() { return view(); }
-    operator image_view<const T>() const { return view(); }
-
-private:
-    static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to view: use std::uint8_t");
-    glm::ivec2 size_{0, 0};
-    std::vector<T, detail::line_allocator<T>> texels_;
-};
-
-namespace detail {
-
-/// What functions over images take: an image, or a view of one.
-template <class T>
-[[nodiscard]] image_view<T> view_of(image_view<T> view) {
-    return view;
-}
-template <class T>
-[[nodiscard]] image_view<T> view_of(image<T>& of) {
-    return of;
-}
-template <class T>
-[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
-    return of;
-}
-template <class T>
-inline constexpr bool is_image = false;
-template <class T>
-inline constexpr bool is_image<image<T>> = true;
-template <class... Any>
-concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
-
-}  // namespace detail
-
-/// Texel inside the map.
-/// @exactness   A
-template <class T>
-[[nodiscard]] std::remove_const_t<T> texel(image_view<T> map, glm::ivec2 at) {
-    return map[at];
+/// Float to channels.
+///
+/// @param v       any value; infinities, NaN and its payload survive
+/// @return        integer channels 0..255, R least significant
+/// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
+template <class = void>  // templates alone may be constexpr where GLM_FORCE_INTRINSICS makes vectors no constants
+[[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
+    const auto bits = detail::bit_cast<std::uint32_t>(v);
+    return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
+            static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
 }
 
-/// @param size    of a map, in texels
+/// Bytes to float.
+[[nodiscard]] constexpr float decode_float_bits(glm::u8vec4 texel) {
+    return detail::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
+                                   std::uint32_t(texel.w) << 24);
+}
+
+/// Values read from an 8-bit texture to float.
+/// @param c       as sampled, k / 255, in any rounding; clamped to [0, 1], which no texture leaves; NaN counts as 1
 /// @exactness     A
-[[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
-    return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
-}
-
-/// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
-/// @exactness   A
-template <class T>
-[[nodiscard]] std::remove_const_t<T> fetch_clamped(image_view<T> map, glm::ivec2 texel) {
-    assert(!map.empty());
-    const int x = texel.x < 0 ? 0 : (texel.x < map.size.x ? texel.x : map.size.x - 1);
-    const int y = texel.y < 0 ? 0 : (texel.y < map.size.y ? texel.y : map.size.y - 1);
-    return map.row(y)[x];
-}
-
-/// Texel of the map, or `border` outside of it. An empty map is all border.
-/// @exactness   A
-template <class T>
-[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
-                                                    std::remove_const_t<T> border) {
-    return inside_map(map.size, texel) ? map.row(texel.y)[texel.x] : border;
-}
-
-/// fetch_clamped as the callable that filters take.
-/// @throws std::invalid_argument  empty map
-template <class T>
-[[nodiscard]] auto clamped(image_view<T> map) {
-    if (map.empty()) detail::fail("umbrage::clamped: empty map");
-    return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
-}
-template <class T>
-[[nodiscard]] auto clamped(const image<T>& map) {
-    return clamped(map.view());
-}
-
-/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
-/// lit.
-template <class T>
-[[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
-    return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
-}
-template <class T>
-[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
-    return bordered(map.view(), border);
+[[nodiscard]] inline float decode_float_bits(glm::vec4 c) {
+    glm::u8vec4 texel(0);
+    for (glm::length_t i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(from_unorm(saturate(c[i])));
+    return decode_float_bits(texel);
 }
 
 namespace glsl {
 
-inline constexpr snippet texel{
-    .name = "texel",
-    .summary = "texel inside a map",
+inline constexpr snippet encode_float_bits{
+    .name = "encode_float_bits",
+    .summary = "any float's bit pattern to four channels, R least significant",
     .exactness = tier::a,
-    .role = hook::texel,
+    .lowest = version::v300_es,
     .source = R"GLSL(
-// umbrage_texel: value of a texel inside the map
-//   map    2D sampler; before GLSL 1.30 its filter must be nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
-#ifndef UMBRAGE_MAP
-#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
-#endif
-UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-#if __VERSION__ >= 130
-    return texelFetch(map, ivec2(texel), 0);
-#else
-    return texture2D(map, (texel + 0.5) / size);
-#endif
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
+    return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
 }
 )GLSL",
 };
 
-inline constexpr snippet inside_map{
-    .name = "inside_map",
-    .summary = "whether a texel is one of the map's",
+inline constexpr snippet decode_float_bits{
+    .name = "decode_float_bits",
+    .summary = "four channels, R least significant, to the float they are",
     .exactness = tier::a,
+    .lowest = version::v300_es,
+    .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_inside_map: whether a texel is one of a map's of size texels
-bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint b = uint(umbrage_saturate(c.z) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
+    return uintBitsToFloat(r | (g << 8) | (b << 16) | (a << 24));
 }
 )GLSL",
 };
-
-inline constexpr snippet fetch_clamped{
-    .name = "fetch_clamped",
-    .summary = "texel of a map, outside the nearest one inside",
-    .exactness = tier::a,
-    .needs = list<&texel>,
-    .source = R"GLSL(
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
-UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
-}
-)GLSL",
-};
-
-inline constexpr snippet fetch_bordered{
-    .name = "fetch_bordered",
-    .summary = "texel of a map, outside a border value",
-    .exactness = tier::a,
-    .needs = list<&fetch_clamped, &inside_map>,
-    .source = R"GLSL(
-// umbrage_fetch_bordered: texel of a map, or border outside of it
-UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                          UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
-}
-)GLSL",
-};
-
-inline constexpr const snippet* image_snippets[]{&texel, &inside_map, &fetch_clamped, &fetch_bordered};
 
 }  // namespace glsl
+
+/// The encoding as a value.
+struct float_bits {
+    using texel = glm::u8vec4;
+    static constexpr literal name = "float_bits";
+    static constexpr literal summary = "The bit pattern of the float itself, R least significant.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
+    static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
+    static constexpr written writes = written::bytes;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] texel encode(float depth) const { return encode_float_bits(depth); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {}; }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage
 
 // ---- umbrage/depth/rg.hpp
@@ -3427,195 +3689,6 @@ struct rgb24 {
 
 }  // namespace umbrage
 
-// ---- umbrage/filter/texel_space.hpp
-// What every filter over a map shares: the range of its coordinates, and the comparison with a texel.
-//
-//     if (!umbrage::inside_texel_space(coord)) return 1;  // NaN, infinite or absurd: lit
-//
-
-namespace umbrage {
-
-/// True when |coord| < 2^15 in both directions, so that texel numbers and 1/256 of them stay exact.
-/// Filters take everything else, NaN included, as lit.
-/// @exactness     A
-template <real T>
-[[nodiscard]] constexpr bool inside_texel_space(glm::vec<2, T> coord) {
-    const auto inside = [](T v) { return !is_nan(v) && v < T(32768) && v > T(-32768); };
-    return inside(coord.x) && inside(coord.y);
-}
-
-/// Whether a filter compares a receiver at all. Two kinds are lit without: coordinates outside texel space, and depths
-/// beyond the far plane.
-/// @param is_lit   the comparison; one without beyond_far has no far plane
-/// @exactness      A
-template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
-    return inside_texel_space(coord) && !beyond_far(receiver, is_lit);
-}
-
-/// Stored depth of a texel: the fetch callable of every filter, by name.
-/// @param fetch   ivec2 texel -> depth, e.g. clamped(map), or decoded(map, rg<11>{}) for packed maps
-template <class Fetch>
-[[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
-    return fetch(texel);
-}
-
-/// Stored depth of the texel at a point of the map.
-/// @param fetch   ivec2 texel -> stored depth
-/// @param size    of the map, in texels
-/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness     C, n = 4: the fetched depth, but at borders between texels: a sampler takes the nearest to what it
-///                rounds its coordinates to, 2^-10 texel off in a map of 8192
-template <real T, class Fetch>
-[[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
-    return T(fetch(glm::ivec2(glm::floor(uv * size))));
-}
-
-/// Visibility of one comparison with a texel.
-/// @param fetch   ivec2 texel -> stored depth
-/// @return        1 when lit, 0 in shadow
-/// @exactness     A
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] constexpr T lit(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
-    return compare(receiver, T(fetch(texel)), is_lit);
-}
-
-/// Visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1): what one gather gives.
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] constexpr glm::vec<4, T> lit_2x2(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
-    const T a = lit(fetch, texel, receiver, is_lit), b = lit(fetch, texel + glm::ivec2(1, 0), receiver, is_lit);
-    const T c = lit(fetch, texel + glm::ivec2(0, 1), receiver, is_lit);
-    return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
-}
-
-/// A packed map as the fetch callable that filters take.
-/// @param fetch      ivec2 -> texel, e.g. bordered(map, encoding.cleared()); a map stands for clamped(map)
-/// @param encoding   one of encodings.hpp
-/// @throws std::invalid_argument  empty map
-template <std::invocable<glm::ivec2> Fetch, class Encoding>
-[[nodiscard]] auto decoded(Fetch fetch, Encoding encoding) {
-    return [fetch, encoding](glm::ivec2 texel) { return encoding.decode(fetch(texel)); };
-}
-template <class Texel, class Encoding>
-[[nodiscard]] auto decoded(image_view<Texel> map, Encoding encoding) {
-    return decoded(clamped(map), encoding);
-}
-template <class Texel, class Encoding>
-[[nodiscard]] auto decoded(const image<Texel>& map, Encoding encoding) {
-    return decoded(map.view(), encoding);
-}
-
-namespace glsl {
-
-inline constexpr snippet inside_texel_space{
-    .name = "inside_texel_space",
-    .summary = "coordinates a filter can take",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
-bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
-}
-)GLSL",
-};
-
-inline constexpr snippet is_compared{
-    .name = "is_compared",
-    .summary = "receivers that a filter compares; it takes the others as lit",
-    .exactness = tier::a,
-    .needs = list<&inside_texel_space, &beyond_far>,
-    .source = R"GLSL(
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
-}
-)GLSL",
-};
-
-/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined
-/// beforehand, makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
-inline constexpr snippet fetch_depth{
-    .name = "fetch_depth",
-    .summary = "stored depth of a texel",
-    .exactness = tier::a,
-    .needs = list<&fetch_clamped, &fetch_bordered, &cleared_depth>,
-    .role = hook::fetch_depth,
-    .source = R"GLSL(
-// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
-// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
-#ifndef UMBRAGE_FETCH
-#ifndef UMBRAGE_OUTSIDE_LIT
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
-#else
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
-#endif
-#endif
-// umbrage_fetch_depth: stored depth of a texel
-UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return UMBRAGE_FETCH(map, size, texel);
-}
-)GLSL",
-};
-
-inline constexpr snippet lit{
-    .name = "lit",
-    .summary = "one comparison with a texel",
-    .exactness = tier::a,
-    .needs = list<&compare, &fetch_depth>,
-    .role = hook::lit,
-    .source = R"GLSL(
-// umbrage_lit: visibility of one comparison with a texel
-UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                UMBRAGE_HIGHP float receiver) {
-    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
-}
-)GLSL",
-};
-
-inline constexpr snippet lit_2x2{
-    .name = "lit_2x2",
-    .summary = "comparisons with the 2x2 texels from one on",
-    .exactness = tier::a,
-    .needs = list<&lit>,
-    .role = hook::lit_2x2,
-    .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
-    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
-    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
-    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
-    return vec4(a, b, c, d);
-}
-)GLSL",
-};
-
-/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
-inline constexpr snippet depth_at{
-    .name = "depth_at",
-    .summary = "stored depth at a point of the map",
-    .exactness = tier::c,
-    .operations = 4,
-    .needs = list<&fetch_depth>,
-    .role = hook::depth_at,
-    .source = R"GLSL(
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
-    return umbrage_fetch_depth(map, size, floor(uv * size));
-}
-)GLSL",
-};
-
-inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, &inside_texel_space,
-                                                       &is_compared, &lit,      &lit_2x2};
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/filter/pcf/disc.hpp
 // Percentage-closer filtering over a disc: 8, 16 or 32 points, turned from pixel to pixel so that no pattern shows.
 //
@@ -3891,69 +3964,6 @@ inline constexpr rotated_disc disc{Points, 2.0f, {}, glsl::disc<Points>.name, &g
 inline constexpr std::array<rotated_disc, 3> rotated_disc::values{disc<8>, disc<16>, disc<32>};
 
 }  // namespace filters
-}  // namespace umbrage
-
-// ---- umbrage/floor_divide.hpp
-// Whole numbers over whole numbers, rounded down: exact in floats, however far off the machine's division is.
-//
-//     float mean = umbrage::floor_divide(sum, count);
-//
-// GLSL allows a quotient to be 2.5 ulp off, older dialects anything. Its floor is then one off where the true quotient
-// is whole or nearly so; a product tells, and products of whole numbers are exact.
-
-namespace umbrage {
-
-/// The quotient that a guess is at most one away from.
-/// @param q     whole, floor(a / b) - 1 .. floor(a / b) + 1
-/// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24
-/// @return      floor(a / b)
-/// @formula     q - [q b > a], then one more where that leaves b or more of a
-/// @exactness   A: a product of 2^24 or more is beyond a, however it rounds
-template <real T>
-[[nodiscard]] constexpr T mend_quotient(T q, T a, T b) {
-    const T low = q * b > a ? q - T(1) : q;
-    return (low + T(1)) * b <= a ? low + T(1) : low;
-}
-
-/// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24;   their quotient at most 2^18
-/// @return      floor(a / b)
-/// @exactness   A: with a quotient up to 8 ulp off, less than 1 in so small a one, mend_quotient has all it needs
-template <real T>
-[[nodiscard]] T floor_divide(T a, T b) {
-    return mend_quotient(std::floor(a / b), a, b);
-}
-
-namespace glsl {
-
-inline constexpr snippet mend_quotient{
-    .name = "mend_quotient",
-    .summary = "a quotient of whole numbers, from one at most one off",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
-    return (low + 1.0) * b <= a ? low + 1.0 : low;
-}
-)GLSL",
-};
-
-inline constexpr snippet floor_divide{
-    .name = "floor_divide",
-    .summary = "whole numbers divided and rounded down, whatever the division's error",
-    .exactness = tier::a,
-    .needs = list<&mend_quotient>,
-    .source = R"GLSL(
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
-UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    return umbrage_mend_quotient(floor(a / b), a, b);
-}
-)GLSL",
-};
-
-inline constexpr const snippet* floor_divide_snippets[]{&mend_quotient, &floor_divide};
-
-}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/filter/blocker/penumbra.hpp
@@ -5389,7 +5399,7 @@ struct hard {
 }  // namespace filters
 }  // namespace umbrage
 
-// ---- umbrage/light/cube_map.hpp
+// ---- umbrage/light/point/cube_map.hpp
 // Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
 // six tiles of an atlas.
 //
@@ -8879,7 +8889,105 @@ template <real T, std::size_t Size>
 
 }  // namespace umbrage
 
-// ---- umbrage/light/cube_atlas.hpp
+// ---- umbrage/light/directional_light.hpp
+// A directional light's space as the classic course exercise sets it up.
+//
+//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024, .clip = clip});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct directional_light {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> target{T(0)};                  ///< what it looks at
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    T offset = T(10);                             ///< from target back to the light, world units
+    int map_size = 1024;                          ///< texels, >= 1
+    T texels_per_unit = T(10);                    ///< across the light, world units; > 0
+    T z_near = T(0.1);                            ///< world units from the light
+    T z_far = T(100);
+    clip_space clip{};  ///< required: your API's or engine's, see clip_space.hpp
+};
+
+/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
+/// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of
+///                                order, and what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
+    constexpr auto function = "make_directional_light";
+    detail::require(light.map_size >= 1, function, "map_size", "must be above 0");
+    detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
+                    "must be finite and above 0");
+    detail::require(is_finite(light.offset), function, "offset", "must be finite");
+    // along the normalised direction, moved by the offset: the view's last row holds the light's distance
+    light_space<T> space{
+        detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
+        {},
+        light.clip};
+    space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
+    const glm::vec<2, T> half(T(light.map_size) / light.texels_per_unit / T(2));
+    space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
+                                            "map_size and texels_per_unit", "z_near and z_far");
+    return detail::checked(space, function, "target, offset, texels_per_unit, z_near and z_far");
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/pancake.hpp
+// Casters before the near plane, pressed onto it by the vertex shader where the rasterizer cannot clamp depth.
+//
+//     gl_Position = umbrage_pancaked(clip_from_world * position, 0.0);  // umbrage::near_depth(clip)
+//
+
+namespace umbrage {
+
+/// z/w of the near plane: 0 or -1, and 1 where depth is reversed.
+/// @throws std::invalid_argument  clip unset
+[[nodiscard]] constexpr float near_depth(clip_space clip) {
+    detail::require_given(clip, "near_depth");
+    if (clip.direction == depth_direction::reversed) return 1.0f;
+    return clip.range == depth_range::zero_to_one ? 0.0f : -1.0f;
+}
+
+/// A vertex before the near plane, moved onto it along z: for directional lights, where w is 1. Right for triangles
+/// wholly before the plane or behind it. One that crosses it is bent, and its part behind comes out too far: prefer a
+/// rasterizer that clamps.
+/// @param position   in clip space
+/// @param at_near    z/w of the near plane, near_depth: 0, -1 or 1, where 1 says that depth is reversed
+/// @return           z = max(z, at_near w), or min for reversed depth; a NaN in z stays
+/// @exactness        B, n = 1: selects; where denormals compare as zeros, those before the plane stay
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> pancaked(glm::vec<4, T> position, T at_near) {
+    const T plane = at_near * position.w;
+    const bool before = at_near > T(0.5) ? position.z > plane : position.z < plane;
+    return {position.x, position.y, before ? plane : position.z, position.w};
+}
+
+namespace glsl {
+
+inline constexpr snippet pancaked{
+    .name = "pancaked",
+    .summary = "casters before the near plane, onto it",
+    .exactness = tier::b,
+    .operations = 1,
+    .source = R"GLSL(
+// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+//   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
+UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;
+    bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
+    return vec4(position.x, position.y, before ? plane : position.z, position.w);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* pancake_snippets[]{&pancaked};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/light/point/cube_atlas.hpp
 // A texture of a cube in the place of an atlas of its faces: which texel of which face an atlas' texel is, and the
 // direction that reads it. What filters over an atlas are bound to cubes with, see texture::cube_faces of bind.hpp.
 //
@@ -8944,52 +9052,7 @@ inline constexpr const snippet* cube_atlas_snippets[]{&cube_atlas_texel, &cube_a
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/light/directional_light.hpp
-// A directional light's space as the classic course exercise sets it up.
-//
-//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024, .clip = clip});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct directional_light {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> target{T(0)};                  ///< what it looks at
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    T offset = T(10);                             ///< from target back to the light, world units
-    int map_size = 1024;                          ///< texels, >= 1
-    T texels_per_unit = T(10);                    ///< across the light, world units; > 0
-    T z_near = T(0.1);                            ///< world units from the light
-    T z_far = T(100);
-    clip_space clip{};  ///< required: your API's or engine's, see clip_space.hpp
-};
-
-/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
-/// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of
-///                                order, and what gives matrices that are not finite
-template <real T = float>
-[[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
-    constexpr auto function = "make_directional_light";
-    detail::require(light.map_size >= 1, function, "map_size", "must be above 0");
-    detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
-                    "must be finite and above 0");
-    detail::require(is_finite(light.offset), function, "offset", "must be finite");
-    // along the normalised direction, moved by the offset: the view's last row holds the light's distance
-    light_space<T> space{
-        detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
-        {},
-        light.clip};
-    space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
-    const glm::vec<2, T> half(T(light.map_size) / light.texels_per_unit / T(2));
-    space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
-                                            "map_size and texels_per_unit", "z_near and z_far");
-    return detail::checked(space, function, "target, offset, texels_per_unit, z_near and z_far");
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/dual_paraboloid.hpp
+// ---- umbrage/light/point/dual_paraboloid.hpp
 // Two square maps around a point light, a paraboloid's image of either half of all directions in each. Shadows go by
 // distance, and straight edges become arcs: draw a mesh that tessellate has cut.
 //
@@ -9138,60 +9201,7 @@ inline constexpr const snippet* dual_paraboloid_snippets[]{&dual_paraboloid_coor
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/light/pancake.hpp
-// Casters before the near plane, pressed onto it by the vertex shader where the rasterizer cannot clamp depth.
-//
-//     gl_Position = umbrage_pancaked(clip_from_world * position, 0.0);  // umbrage::near_depth(clip)
-//
-
-namespace umbrage {
-
-/// z/w of the near plane: 0 or -1, and 1 where depth is reversed.
-/// @throws std::invalid_argument  clip unset
-[[nodiscard]] constexpr float near_depth(clip_space clip) {
-    detail::require_given(clip, "near_depth");
-    if (clip.direction == depth_direction::reversed) return 1.0f;
-    return clip.range == depth_range::zero_to_one ? 0.0f : -1.0f;
-}
-
-/// A vertex before the near plane, moved onto it along z: for directional lights, where w is 1. Right for triangles
-/// wholly before the plane or behind it. One that crosses it is bent, and its part behind comes out too far: prefer a
-/// rasterizer that clamps.
-/// @param position   in clip space
-/// @param at_near    z/w of the near plane, near_depth: 0, -1 or 1, where 1 says that depth is reversed
-/// @return           z = max(z, at_near w), or min for reversed depth; a NaN in z stays
-/// @exactness        B, n = 1: selects; where denormals compare as zeros, those before the plane stay
-template <real T>
-[[nodiscard]] constexpr glm::vec<4, T> pancaked(glm::vec<4, T> position, T at_near) {
-    const T plane = at_near * position.w;
-    const bool before = at_near > T(0.5) ? position.z > plane : position.z < plane;
-    return {position.x, position.y, before ? plane : position.z, position.w};
-}
-
-namespace glsl {
-
-inline constexpr snippet pancaked{
-    .name = "pancaked",
-    .summary = "casters before the near plane, onto it",
-    .exactness = tier::b,
-    .operations = 1,
-    .source = R"GLSL(
-// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
-//   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
-UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;
-    bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
-    return vec4(position.x, position.y, before ? plane : position.z, position.w);
-}
-)GLSL",
-};
-
-inline constexpr const snippet* pancake_snippets[]{&pancaked};
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/light/point_light.hpp
+// ---- umbrage/light/point/point_light.hpp
 // A point light's six spaces, for a cube texture's faces or an atlas's tiles.
 //
 //     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2, .clip = clip});
@@ -9240,46 +9250,7 @@ template <real T = float>
 
 }  // namespace umbrage
 
-// ---- umbrage/light/spot_light.hpp
-// A spot light's space.
-//
-//     auto light = umbrage::make_spot_light(
-//         {.position = p, .direction = d, .outer_angle_radians = 0.6f, .clip = umbrage::opengl_clip_space});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct spot_light {
-    glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
-    T z_near = T(0.1);                                  ///< > 0, world units
-    T z_far = T(100);                                   ///< > z_near; infinite: no far plane
-    clip_space clip{};                                  ///< required: your API's or engine's, see clip_space.hpp
-};
-
-/// View and perspective projection around the light's cone, which the square map holds whole.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order, and
-///                                what gives matrices that are not finite
-template <real T = float>
-[[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
-    constexpr auto function = "make_spot_light";
-    const T angle = light.outer_angle_radians;
-    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "must lie between 0 and pi / 2");
-    const T extent = std::tan(angle);
-    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians", "must have a finite cotangent");
-    return detail::checked<T>(
-        {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
-         detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function), light.clip},
-        function, "position, outer_angle_radians, z_near and z_far");
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/tetrahedron.hpp
+// ---- umbrage/light/point/tetrahedron.hpp
 // Four triangular maps around a point light, the sides of a square that its diagonals cut: which of them a direction
 // meets, and where. Straight edges stay straight.
 //
@@ -9483,7 +9454,7 @@ inline constexpr const snippet* tetrahedron_snippets[]{&tetrahedron_face,   &tet
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/light/tetrahedron_light.hpp
+// ---- umbrage/light/point/tetrahedron_light.hpp
 // A point light's four spaces, a tetrahedron's faces, for triangles of one map.
 //
 //     auto faces = umbrage::make_tetrahedron_light<float>(
@@ -9589,6 +9560,45 @@ template <real T = float>
 
 }  // namespace umbrage
 
+// ---- umbrage/light/spot_light.hpp
+// A spot light's space.
+//
+//     auto light = umbrage::make_spot_light(
+//         {.position = p, .direction = d, .outer_angle_radians = 0.6f, .clip = umbrage::opengl_clip_space});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct spot_light {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                                  ///< > 0, world units
+    T z_far = T(100);                                   ///< > z_near; infinite: no far plane
+    clip_space clip{};                                  ///< required: your API's or engine's, see clip_space.hpp
+};
+
+/// View and perspective projection around the light's cone, which the square map holds whole.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order, and
+///                                what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
+    constexpr auto function = "make_spot_light";
+    const T angle = light.outer_angle_radians;
+    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
+                    "outer_angle_radians", "must lie between 0 and pi / 2");
+    const T extent = std::tan(angle);
+    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians", "must have a finite cotangent");
+    return detail::checked<T>(
+        {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
+         detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function), light.clip},
+        function, "position, outer_angle_radians, z_near and z_far");
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/shade/lighting.hpp
 // The lighting of the DirectX SDK's ShadowMap sample: a spot cone, diffuse plus ambient. Enough for whole pictures.
 //
@@ -9682,7 +9692,7 @@ inline constexpr const snippet* lighting_snippets[]{&spot_cone, &diffuse_ambient
 #define UMBRAGE_VERSION_MINOR 1
 #define UMBRAGE_VERSION_PATCH 0
 
-// ---- umbrage/view/false_colour.hpp
+// ---- umbrage/view/false_color.hpp
 // Depth as colour, so that people can see it: blue near, through cyan, green and yellow, to red far.
 //
 //     glm::vec3 colour = umbrage::false_colour(depth);
@@ -9784,7 +9794,7 @@ inline constexpr const snippet* overlay_texel_snippets[]{&overlay_texel};
 // headers of their own. Made by single_include/amalgamate.cmake.
 
 
-// ---- umbrage/list.hpp
+// ---- umbrage/core/list.hpp
 // A list of types whose values know their names: what tools, tables and tests walk.
 //
 //     using encodings = umbrage::list_of<depth32f, rg<9>>;
@@ -9828,68 +9838,170 @@ private:
 
 }  // namespace umbrage
 
-// ---- umbrage/simd/blocks/form.hpp
-// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
-// none is called receiver by receiver.
+// ---- umbrage/filter/filters.hpp
+// Every filter of the library, in one list: what tools, tables, proofs and examples walk.
 //
-// A form states what it needs of a map and the smallest width and height that it can take; with_blocks() hands its
-// blocks to `use`. Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs
-// floats, it gets const float_texels&. A form clamps texels to the map's edge; outside_map::lit is for visibility() to
-// see to, which asks the filter's reach().
+//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::box{.radius = 2}, out);
 //
-// Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
-// where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
-// the row of pixels that the block lies in; its column is a multiple of 64. `count` receivers of a block are there:
-// loops go to `block` all the same, a number that compilers vectorise by, and what the rest gives is ignored. `Isa` is
-// the instruction set that the code is compiled for. Every function and lambda of it is UMBRAGE_INLINE: dispatch.hpp
-// says why.
+
+namespace umbrage::filters {
+
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box, window, rotated_disc>;
+
+/// Beside them those that know the light's size: their maps hold z/w.
+using soft = list_of<pcss, dpcf>;
+
+}  // namespace umbrage::filters
+
+namespace umbrage {
+
+/// Calls use(filter) for one after the other.
+template <class Use>
+void for_each_filter(Use&& use) {
+    filters::all::for_each(use);
+}
+
+/// Calls use(filter) with the one of that name.
+/// @return   false where none is called so
+template <class Use>
+bool with_filter(std::string_view name, Use&& use) {
+    return filters::all::with(name, use);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/parallel.hpp
+// How image functions use threads: they have none, and ask the caller's scheduler.
 //
-// Blocks that leave work for later have a type `tile` with a number `rows`. They come tile by tile, so many above each
-// other; the second step gets the tile besides, and finish(tile, set) is called behind its last block, before results
-// are taken. hierarchical.hpp does so.
-//
-// unit/simd/blocks/form and form/coherent hold each form to its filter, bit by bit.
-//
-//     template <>
-//     struct block_form<filters::pcf_2x2> {
-//         static constexpr map_need need = map_need::texels;
-//         static constexpr int least = 2;
-//         template <depth_direction Direction, class Map, class ParallelFor, class Use>
-//         static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
-//             use(pcf_2x2_blocks<Direction, Map>{map});
-//         }
+//     auto parallel_for = [&](int count, auto&& piece) {
+//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
+//                           [&](const auto& range) { piece(range.begin(), range.end()); });
 //     };
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
 //
+// parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
+// threads, and returns when all are done. Pieces are bands of rows, or strips of columns; no way to cut them changes a
+// bit.
+
+namespace umbrage {
+
+/// The default: everything in one piece, on the caller's thread.
+struct serial {
+    template <class Piece>
+    void operator()(int count, Piece&& piece) const {
+        if (count > 0) piece(0, count);
+    }
+};
+
+namespace detail {
+
+/// By the caller's scheduler, unless there is only one piece, for which it would start threads in vain.
+template <class ParallelFor, class Piece>
+void in_pieces(int count, ParallelFor&& parallel, const Piece& piece) {
+    if (count == 1) piece(0, 1);
+    else parallel(count, piece);
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/simd/dispatch.hpp
+// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no
+// intrinsics.
+//
+//     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
+//
+// A body is inlined into thin functions that carry the target; what it calls must be UMBRAGE_INLINE too, or it is
+// compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
+// loops run over blocks of 64, and select on the bits.
+//
+// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice, and nothing wider is compiled; a machine that lacks it
+// takes the next lower one. No choice changes a bit of a result of tier A. It has to be the same in all files of a
+// program.
+
+// Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
+#if defined(__GNUC__) && !defined(__clang__)
+#define UMBRAGE_NO_OVERLAP _Pragma("GCC ivdep")
+#else
+#define UMBRAGE_NO_OVERLAP
+#endif
 
 namespace umbrage::detail {
 
-/// What the blocks of a filter read.
-enum class map_need {
-    texels,  ///< a few texels a receiver: as they are stored, where that has a fast form, or floats
-    floats,  ///< many: decoding each for each receiver would cost more than decoding the map once
-};
+enum class isa { base, avx2, avx512 };
 
-template <class Filter>
-struct block_form;
+template <isa Set>
+using isa_constant = std::integral_constant<isa, Set>;
 
-/// Of blocks that leave nothing for later: a row.
-struct one_row {
-    static constexpr int rows = 1;
-};
-template <class Blocks>
-struct tile_of {
-    using type = one_row;
-};
-template <class Blocks>
-requires requires { typename Blocks::tile; }
-struct tile_of<Blocks> {
-    using type = typename Blocks::tile;
-};
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+inline constexpr bool has_dispatch = true;
 
-template <class Filter>
-concept has_block_form = requires {
-    block_form<Filter>::need;
-};
+/// The best instruction set of this machine, of those that get a path of their own.
+[[nodiscard]] inline isa best_isa() {
+    __builtin_cpu_init();
+    if (!__builtin_cpu_supports("avx2")) return isa::base;
+    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    return wide ? isa::avx512 : isa::avx2;
+}
+
+template <class Body>
+__attribute__((target("avx2"), noinline)) void on_avx2(const Body& body) {
+    body(isa_constant<isa::avx2>{});
+}
+template <class Body>
+__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline)) void on_avx512(const Body& body) {
+    body(isa_constant<isa::avx512>{});
+}
+#else
+inline constexpr bool has_dispatch = false;
+[[nodiscard]] inline isa best_isa() { return isa::base; }
+#endif
+
+/// The widest set that anything is compiled for.
+#if defined(UMBRAGE_FORCE_ISA)
+inline constexpr isa widest_isa = has_dispatch ? isa::UMBRAGE_FORCE_ISA : isa::base;
+#else
+inline constexpr isa widest_isa = has_dispatch ? isa::avx512 : isa::base;
+#endif
+
+/// What image functions use; tests set it to see every path.
+inline isa isa_in_use = best_isa() < widest_isa ? best_isa() : widest_isa;
+
+/// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
+/// contraction to FMA can change.
+template <class Body>
+void on_best_isa(const Body& body) {
+    if constexpr (widest_isa >= isa::avx512)
+        if (isa_in_use >= isa::avx512) return on_avx512(body);
+    if constexpr (widest_isa >= isa::avx2)
+        if (isa_in_use >= isa::avx2) return on_avx2(body);
+    body(isa_constant<isa::base>{});
+}
+
+/// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
+template <class Body>
+void on_best_isa_without_fma(const Body& body) {
+    if constexpr (widest_isa >= isa::avx2)
+        if (isa_in_use != isa::base) return on_avx2(body);
+    body(isa_constant<isa::base>{});
+}
+
+/// Runs the body in a function of its own, of the instruction set that its caller is compiled for: large bodies with
+/// several callers are then compiled once.
+template <class Body>
+void out_of_line(isa_constant<isa::base> set, const Body& body) {
+    body(set);
+}
+template <isa Set, class Body>
+void out_of_line(isa_constant<Set>, const Body& body) {
+    if constexpr (Set == isa::avx512) on_avx512(body);
+    else on_avx2(body);
+}
+
+/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which
+/// on a stack is chance, a loop over them can take several times as long.
+inline constexpr int block = 64;
 
 }  // namespace umbrage::detail
 
@@ -10028,106 +10140,6 @@ struct least_of {
 struct greatest_of {
     UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
 };
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/dispatch.hpp
-// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no
-// intrinsics.
-//
-//     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
-//
-// A body is inlined into thin functions that carry the target; what it calls must be UMBRAGE_INLINE too, or it is
-// compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
-// loops run over blocks of 64, and select on the bits.
-//
-// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice, and nothing wider is compiled; a machine that lacks it
-// takes the next lower one. No choice changes a bit of a result of tier A. It has to be the same in all files of a
-// program.
-
-// Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
-#if defined(__GNUC__) && !defined(__clang__)
-#define UMBRAGE_NO_OVERLAP _Pragma("GCC ivdep")
-#else
-#define UMBRAGE_NO_OVERLAP
-#endif
-
-namespace umbrage::detail {
-
-enum class isa { base, avx2, avx512 };
-
-template <isa Set>
-using isa_constant = std::integral_constant<isa, Set>;
-
-#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
-inline constexpr bool has_dispatch = true;
-
-/// The best instruction set of this machine, of those that get a path of their own.
-[[nodiscard]] inline isa best_isa() {
-    __builtin_cpu_init();
-    if (!__builtin_cpu_supports("avx2")) return isa::base;
-    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-    return wide ? isa::avx512 : isa::avx2;
-}
-
-template <class Body>
-__attribute__((target("avx2"), noinline)) void on_avx2(const Body& body) {
-    body(isa_constant<isa::avx2>{});
-}
-template <class Body>
-__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline)) void on_avx512(const Body& body) {
-    body(isa_constant<isa::avx512>{});
-}
-#else
-inline constexpr bool has_dispatch = false;
-[[nodiscard]] inline isa best_isa() { return isa::base; }
-#endif
-
-/// The widest set that anything is compiled for.
-#if defined(UMBRAGE_FORCE_ISA)
-inline constexpr isa widest_isa = has_dispatch ? isa::UMBRAGE_FORCE_ISA : isa::base;
-#else
-inline constexpr isa widest_isa = has_dispatch ? isa::avx512 : isa::base;
-#endif
-
-/// What image functions use; tests set it to see every path.
-inline isa isa_in_use = best_isa() < widest_isa ? best_isa() : widest_isa;
-
-/// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
-/// contraction to FMA can change.
-template <class Body>
-void on_best_isa(const Body& body) {
-    if constexpr (widest_isa >= isa::avx512)
-        if (isa_in_use >= isa::avx512) return on_avx512(body);
-    if constexpr (widest_isa >= isa::avx2)
-        if (isa_in_use >= isa::avx2) return on_avx2(body);
-    body(isa_constant<isa::base>{});
-}
-
-/// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
-template <class Body>
-void on_best_isa_without_fma(const Body& body) {
-    if constexpr (widest_isa >= isa::avx2)
-        if (isa_in_use != isa::base) return on_avx2(body);
-    body(isa_constant<isa::base>{});
-}
-
-/// Runs the body in a function of its own, of the instruction set that its caller is compiled for: large bodies with
-/// several callers are then compiled once.
-template <class Body>
-void out_of_line(isa_constant<isa::base> set, const Body& body) {
-    body(set);
-}
-template <isa Set, class Body>
-void out_of_line(isa_constant<Set>, const Body& body) {
-    if constexpr (Set == isa::avx512) on_avx512(body);
-    else on_avx2(body);
-}
-
-/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which
-/// on a stack is chance, a loop over them can take several times as long.
-inline constexpr int block = 64;
 
 }  // namespace umbrage::detail
 
@@ -10596,1758 +10608,6 @@ UMBRAGE_INLINE inline void prefetch_rest(const T* row, int count, int step = blo
 
 }  // namespace umbrage::detail
 
-// ---- umbrage/simd/blocks/texels.hpp
-// Maps as blocks of receivers see them: floats, and the two channels of rg with any number of bits. What else there is
-// is decoded to floats first. A block's texels are loaded word by word, and compared in loops that vectorise.
-//
-//     umbrage::detail::loaded_texels<float_texels> texels(map);
-//     texels.load_one([&](int i) { return memory.at(offsets[i]); });
-//     lit += test::lit(texels.receiver(depth), texels.one(i));
-//
-
-namespace umbrage::detail {
-
-/// The comparison of a direction, in numbers and masks.
-template <depth_direction Direction>
-struct block_test {
-    static constexpr bool forward = Direction == depth_direction::forward;
-
-    /// 1 when lit. A NaN is not.
-    [[nodiscard]] static UMBRAGE_INLINE std::int32_t lit(float receiver, float stored) {
-        return forward ? is_lit(receiver, stored) : is_lit(stored, receiver);
-    }
-    /// Of texels whose depths lie between bounds, the lower a NaN where one is: whether all are lit; whether none is.
-    [[nodiscard]] static UMBRAGE_INLINE std::int32_t all_lit(float receiver, float least, float greatest) {
-        return forward ? is_lit(receiver, least) : is_lit(greatest, receiver) & is_lit(least, greatest);
-    }
-    [[nodiscard]] static UMBRAGE_INLINE std::int32_t none_lit(float receiver, float least, float greatest) {
-        return forward ? std::int32_t(receiver > greatest) : std::int32_t(receiver < least) & number_mask(least);
-    }
-    /// is_compared as a mask.
-    [[nodiscard]] static UMBRAGE_INLINE std::int32_t compared(float x, float y, float z) {
-        return texel_space_mask(x, y) & ~beyond_far_mask<forward>(z);
-    }
-};
-
-/// A map of floats.
-struct float_texels {
-    using texel = float;
-    image_view<const float> map;
-};
-
-/// A map of rg.
-struct rg_texels {
-    using texel = glm::u8vec2;
-    image_view<const glm::u8vec2> map;
-    int bits;
-    float edge;
-};
-
-/// Where a block of words comes from, at(i), and where it goes.
-template <class At>
-struct gathered {
-    void* to;
-    At at;
-};
-template <class At>
-gathered(void*, At) -> gathered<At>;
-
-/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once
-/// than they can hold.
-template <class Word, class... At>
-UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
-    const auto word = [](const void* from) UMBRAGE_INLINE {
-        Word w;
-        std::memcpy(&w, from, sizeof w);
-        return w;
-    };
-    using words = lanes_of<Word, 16 / sizeof(Word)>;
-    constexpr std::size_t some = sizeof(words) / sizeof(Word);
-    const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
-        const words together{word(from.at(i + static_cast<int>(I)))...};
-        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together,
-                    sizeof together);
-    };
-    for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
-}
-
-/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbours of two rows.
-template <class Map>
-struct loaded_texels;
-
-/// Floats need no decoding, and two of them are one word.
-template <>
-struct loaded_texels<float_texels> {
-    alignas(64) float depths[2 * block];
-    explicit loaded_texels(const float_texels&) {}
-    template <class At>
-    UMBRAGE_INLINE void load_one(const At& at) {
-        gather<std::uint32_t>(gathered{depths, at});
-    }
-    template <class At, class Below>
-    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
-        gather<std::uint64_t>(gathered{low.depths, at}, gathered{high.depths, below});
-    }
-    UMBRAGE_INLINE float receiver(float depth) const { return depth; }
-    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
-    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
-    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
-};
-
-/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^bits times the depth, which changes no
-/// result.
-template <>
-struct loaded_texels<rg_texels> {
-    static constexpr bool little = std::endian::native == std::endian::little;
-    static constexpr std::uint32_t low_bytes = 0x00FF00FF;
-    alignas(64) std::uint32_t words[block];
-    float edge, scale;
-    int up;  ///< bits - 8: the code is R + 2^up G
-    std::uint32_t high_bytes;
-
-    explicit UMBRAGE_INLINE loaded_texels(const rg_texels& map)
-        : edge(map.edge), scale(static_cast<float>(1 << map.bits)), up(map.bits - 8), high_bytes(low_bytes << up) {}
-    template <class At>
-    UMBRAGE_INLINE void load_one(const At& at) {
-        for (int i = 0; i < block; ++i) {
-            std::uint16_t word;
-            std::memcpy(&word, at(i), sizeof word);
-            words[i] = word;
-        }
-    }
-    template <class At, class Below>
-    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
-        gather<std::uint32_t>(gathered{low.words, at}, gathered{high.words, below});
-    }
-    UMBRAGE_INLINE float receiver(float depth) const { return depth * scale; }
-    UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
-    UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
-    UMBRAGE_INLINE float second(int i) const { return number(little ? codes(i) >> 16 : codes(i) & 0xFFFF); }
-    /// R + 2^(bits - 8) G of both texels at once, in the two halves of a word.
-    UMBRAGE_INLINE std::uint32_t codes(int i) const {
-        const std::uint32_t w = words[i];
-        return little ? (w & low_bytes) + (w >> (8 - up) & high_bytes) : (w >> 8 & low_bytes) + ((w & low_bytes) << up);
-    }
-    UMBRAGE_INLINE float number(std::uint32_t code) const {
-        return static_cast<float>(static_cast<std::int32_t>(code)) + edge;
-    }
-};
-
-/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
-template <class T>
-struct texel_bytes {
-    const std::byte* data;
-    std::int32_t stride;
-
-    explicit texel_bytes(const image_view<T>& map)
-        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
-    static bool fits(const image_view<T>& map) {
-        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
-        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
-               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
-    }
-    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
-        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
-    }
-    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
-    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
-};
-
-/// Texel inside the map, without the assertion of image_view.
-template <class T>
-[[nodiscard]] UMBRAGE_INLINE inline T* texel_at(const image_view<T>& map, std::int32_t x, std::int32_t y) {
-    return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
-}
-
-/// The last texel of a map that a receiver can ask for whose texels number less than `space`.
-[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
-
-/// Starts to fetch the texels of a block, of which neighbours mostly share a cache line. Where a block starts on
-/// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
-/// receivers come to that lie askew to the map.
-template <class T>
-UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
-    for (int row = -1; row <= rows; ++row)
-#pragma GCC unroll 4
-        for (int i = 0; i < block; i += 16)
-            prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
-}
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/map_tile.hpp
-// A copy of the part of a map that some receivers ask for. Rows of a map that lie a multiple of 2048 bytes apart share
-// their places in a first-level cache, which has few for each: high boxes push their own rows out of it. In a tile they
-// do not.
-//
-//     map_tile tile;
-//     if (map_tile::helps(map.stride, width) && map_tile::holds(first, last)) tile.copy(map, first, last);
-//
-
-namespace umbrage::detail {
-
-struct map_tile {
-    static constexpr int columns = 100, rows = 96;
-    float texels[rows][columns];
-
-    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
-    [[nodiscard]] static bool holds(glm::ivec2 first, glm::ivec2 last) {
-        return last.x - first.x < columns && last.y - first.y < rows;
-    }
-
-    /// @param last   texel of the map, which the tile must hold; at least eight columns
-    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
-        const int count = last.x - first.x + 1;
-        const auto eight = [](const float* from, float* to)
-                               UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
-        for (int y = first.y; y <= last.y; ++y) {
-            const float* from = texel_at(map, first.x, y);
-            float* to = texels[y - first.y];
-            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
-            eight(from + count - 8, to + count - 8);
-        }
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/images/receivers.hpp
-// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the
-// map, z depth, biased), three images of floats, or the depth image that a camera saw.
-//
-//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(clip_to_world, to_texels, size, clip), bias};
-//
-
-namespace umbrage {
-
-/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
-struct receiver_planes {
-    image_view<const float> x, y, depth;
-};
-
-/// Receivers as a camera's depth image.
-struct depth_receivers {
-    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
-    glm::mat4 matrix;               ///< receiver_matrix
-    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
-};
-
-/// The way from a camera's depth image to the shadow map.
-///
-/// @param clip_to_world    inverse of the camera's projection * view
-/// @param texture_matrix   world to texels of the map
-/// @param size             of the depth image in texels, each >= 1
-/// @param clip             the camera's convention
-/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
-///                         the camera; the product is taken in double
-/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
-template <class = detail::on_use>
-[[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
-                                        glm::ivec2 size, clip_space clip) {
-    detail::require_given(clip, "receiver_matrix");
-    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
-    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
-    glm::dmat4 to_clip(1.0);
-    to_clip[0][0] = 2.0 / size.x;
-    to_clip[1][1] = up * 2.0 / size.y;
-    to_clip[3] = {-1.0, -up, 0.0, 1.0};
-    if (clip.range == depth_range::minus_one_to_one) {
-        to_clip[2][2] = 2.0;
-        to_clip[3][2] = -1.0;
-    }
-    const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
-    detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
-                    "must give a finite matrix");
-    return m;
-}
-
-/// One receiver of a camera's depth image.
-/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
-/// @exactness     C, as project_coordinate
-template <class = detail::on_use>
-[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
-    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
-    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
-    return {p.x, p.y, p.z - seen.bias};
-}
-
-namespace detail {
-
-[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
-    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
-        fail("umbrage::visibility: sizes differ");
-    return receivers.depth.size;
-}
-
-}  // namespace detail
-}  // namespace umbrage
-
-// ---- umbrage/simd/blocks/receivers.hpp
-// Blocks of 64 receivers, wherever they come from: x(i), y(i) in texels, z(i) depth.
-//
-//     use_receivers(receivers, walk, set, [&](const auto& of_block) { blocks.place(of_block, placed); });
-//
-
-namespace umbrage::detail {
-
-/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
-struct receiver_texels {
-    const glm::vec3* first;
-    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
-    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
-    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
-};
-
-/// The same in three planes.
-struct receiver_rows {
-    const float *first_x, *first_y, *first_z;
-    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
-};
-
-/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
-struct receiver_block {
-    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
-    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
-    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
-        xs[i] = x_at;
-        ys[i] = y_at;
-        zs[i] = depth;
-    }
-    template <class Receivers>
-    UMBRAGE_INLINE void copy(const Receivers& from) {
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
-    }
-};
-
-/// A walk over the blocks of some rows: tile by tile, each of so many rows, from the first up to `last`.
-struct block_walk {
-    int x, y, width;
-    int rows = 1, last = 0;  ///< which one row of blocks after the other need not know
-    int first = y;           ///< of the tile
-
-    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
-    [[nodiscard]] UMBRAGE_INLINE bool ends_tile() const { return y + 1 == first + rows || y + 1 == last; }
-    UMBRAGE_INLINE void step() {
-        if (!ends_tile()) ++y;
-        else if (x += block; x < width) y = first;
-        else x = 0, first = ++y;
-    }
-};
-
-/// Hands a block of receivers on: whole ones where they are, others as a copy.
-template <class Receivers, class Use>
-UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
-    if (count == block) return use(receivers);
-    receiver_block copy;
-    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
-    use(copy);
-}
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa,
-                                         const Use& use) {
-    const receiver_texels receivers{from.row(at.y) + at.x};
-    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
-    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
-    copy.copy(receivers);
-    use(copy);
-}
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
-    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(),
-              use);
-}
-
-/// receiver_at for a block.
-template <class = on_use>
-inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
-    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
-    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-        const glm::mat4 m = seen.matrix;
-        const float bias = seen.bias;
-        const float y = static_cast<float>(at.y) + 0.5f;
-        for (int i = 0; i < block; ++i) {
-            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
-            const auto sum = [&](glm::length_t k)
-                                 UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
-            const float w = sum(3);
-            const auto bits = detail::bit_cast<std::int32_t>(w);
-            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
-            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
-            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
-            r.zs[i] = masked(sum(2) / w, in_front) - bias;
-        }
-    });
-}
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
-    receiver_block r;
-    load(seen, at, r);
-    use(r);
-}
-
-/// Starts to fetch the receivers some blocks ahead, or of the next tile: hardware prefetching stops at the end of a
-/// page.
-template <class T>
-UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
-    const int bytes = block * static_cast<int>(sizeof(T)), blocks = at.rows == 1 ? 4 : 1;
-    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
-}
-UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
-    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
-}
-UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/box.hpp
-// The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
-//
-//     const box_rows<depth_direction::forward, 8, 0> rows(map.stride, 5);
-//     std::int32_t lit = rows.count(row, 0, receiver);
-//
-
-namespace umbrage::detail {
-
-/// Lit texels of boxes that lie inside a map at least as wide as a register.
-/// @tparam Lanes   of a register
-/// @tparam Whole   registers that a row of the box fills
-/// @tparam Width   of the box, 0 if not known here
-template <depth_direction Direction, int Lanes, int Whole, int Width = 0>
-struct box_rows {
-    using ints = lanes_of<std::int32_t, Lanes>;
-    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
-    std::ptrdiff_t stride;
-    int width;
-    std::int32_t
-        window[3 * std::size_t(Lanes)]{};  ///< lanes that the rest of a row has in a register, slid to where they are
-
-    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
-        for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
-    }
-
-    /// @param row     first texel of the box
-    /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
-    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
-        ints lit;
-        std::int32_t sums[2];
-        count_lanes(row, moved, receiver, lit);
-        sum_two_lanes<Lanes>(lit, lit, sums);
-        return sums[0];
-    }
-
-    /// Of two boxes, which costs less than of each alone.
-    UMBRAGE_INLINE void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
-        ints first, second;
-        count_lanes(rows[0], 0, receivers[0], first);
-        count_lanes(rows[1], 0, receivers[1], second);
-        sum_two_lanes<Lanes>(first, second, counts);
-    }
-
-private:
-    UMBRAGE_INLINE void count_lanes(const std::byte* row, std::ptrdiff_t moved, float receiver, ints& lit) const {
-        lit = ints{};
-        ints rest{};
-        const auto add_row = [&]() UMBRAGE_INLINE {
-            const float* texels = reinterpret_cast<const float*>(row);
-            lanes_of<float, Lanes> stored;
-            ints lanes;
-            for (int i = 0; i < Whole; ++i) {
-                load_lanes(texels + i * Lanes, stored);
-                lit_lanes<Lanes, block_test<Direction>::forward>(receiver, stored, lanes);
-                lit -= lanes;
-            }
-            load_lanes(texels + Whole * Lanes - moved, stored);
-            lit_lanes<Lanes, block_test<Direction>::forward>(receiver, stored, lanes);
-            rest -= lanes;
-            row += stride;
-        };
-        if constexpr (Width > 0) {
-#pragma GCC unroll 8
-            for (int j = 0; j < Width; ++j) add_row();
-        } else
-            for (int j = 0; j < width; ++j) add_row();
-        ints wanted;
-        std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
-        lit += rest & wanted;
-    }
-};
-
-/// A map of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
-template <depth_direction Direction>
-struct box_blocks {
-    using test = block_test<Direction>;
-    template <int Lanes, int Whole, int Width = 0>
-    using rows = box_rows<Direction, Lanes, Whole, Width>;
-    struct placed {
-        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
-        alignas(64) std::int32_t inside[block], compared[block];
-        alignas(64) float z[block];
-        std::int32_t
-            all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
-    };
-    image_view<const float> map;
-    int radius;  ///< 0 .. max_box_radius
-
-    /// Of the texels that a receiver there asks for, along an axis.
-    [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const { return floor_int(coord) - radius; }
-    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< of a box
-    [[nodiscard]] UMBRAGE_INLINE int loaded() const { return side() + 7; }    ///< of a row, by registers of eight
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const texel_bytes memory(map);
-        const int before = radius, last_x = map.size.x - side(), last_y = map.size.y - side();
-        const int last_load = map.size.x - loaded();
-        std::int32_t plain = -1;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
-            const std::int32_t x = floor_int(masked(receivers.x(i), at.compared[i])) - before;
-            const std::int32_t y = floor_int(masked(receivers.y(i), at.compared[i])) - before;
-            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
-            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
-            at.x[i] = x;
-            at.y[i] = y;
-            at.z[i] = receivers.z(i);
-            const std::int32_t magnitude = detail::bit_cast<std::int32_t>(receivers.z(i)) & 0x7FFFFFFF;
-            const auto loads_inside = std::int32_t(x <= last_load), number = std::int32_t(magnitude <= 0x7F800000);
-            plain &= at.inside[i] & at.compared[i] & -(loads_inside & number);
-        }
-        at.all_plain = plain;
-        prefetch(memory, at.offsets, last_y < 0 ? 1 : side());
-    }
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
-        out_of_line(set,
-                    [&](auto) UMBRAGE_INLINE { count_all<Isa::value == isa::base ? 4 : 8>(at, count, visibility); });
-    }
-
-private:
-    template <int Lanes>
-    UMBRAGE_INLINE void count_all(const placed& at, int count, float* visibility) const {
-        const int width = side();
-        if constexpr (Lanes == 8) {
-            if (width == 3) return count_with<rows<8, 0, 3>>(at, count, visibility);
-            if (width == 5) return count_with<rows<8, 0, 5>>(at, count, visibility);
-            if (width == 7) return count_with<rows<8, 0, 7>>(at, count, visibility);
-        }
-        if (width / Lanes == 0) return count_with<rows<Lanes, 0>>(at, count, visibility);
-        if (width / Lanes == 1) return count_with<rows<Lanes, 1>>(at, count, visibility);
-        if (width / Lanes == 2) return count_with<rows<Lanes, 2>>(at, count, visibility);
-        if constexpr (Lanes == 4) {
-            if (width / Lanes == 3) return count_with<rows<4, 3>>(at, count, visibility);
-            count_with<rows<4, 4>>(at, count, visibility);
-        }
-    }
-
-    template <class Boxes>
-    UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
-        const int width = side(), last_load = map.size.x - Boxes::reach;
-        const Boxes boxes(map.stride, width);
-        const texel_bytes memory(map);
-        alignas(64) std::int32_t lit[block]{};
-        if (at.all_plain)  // as nearly always
-            count_inside(boxes, at, count, lit);
-        else
-            for (int i = 0; i < count; ++i) {
-                if (is_nan(at.z[i]) || !at.compared[i]) continue;
-                const int moved = at.x[i] > last_load ? at.x[i] - last_load : 0;
-                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved, at.z[i])
-                                                        : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
-            }
-        const float scale = box_scale<float>(radius);
-        for (int i = 0; i < block; ++i)
-            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.compared[i], 1.0f,
-                                   static_cast<float>(lit[i]) * scale);
-    }
-
-    /// All 64 boxes lie inside the map, with what is loaded beside them.
-    template <class Boxes>
-    UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
-        const auto count_all = [&](const Boxes& of, const auto& row) UMBRAGE_INLINE {
-            for (int i = 0; i < count; i += 2) {  // a block is even
-                const std::byte* const starts[]{row(i), row(i + 1)};
-                of.count_two(starts, at.z + i, lit + i);
-            }
-        };
-        if (map_tile::helps(map.stride, side())) {
-            glm::ivec2 first(at.x[0], at.y[0]), last = first;
-            for (int i = 0; i < block; ++i) {
-                first.x = at.x[i] < first.x ? at.x[i] : first.x;
-                first.y = at.y[i] < first.y ? at.y[i] : first.y;
-                last.x = at.x[i] > last.x ? at.x[i] : last.x;
-                last.y = at.y[i] > last.y ? at.y[i] : last.y;
-            }
-            last += glm::ivec2(Boxes::reach - 1, 2 * radius);
-            if (map_tile::holds(first, last)) {
-                map_tile tile;
-                tile.copy(map, first, last);
-                return count_all(Boxes(sizeof tile.texels[0], side()), [&](int i) UMBRAGE_INLINE {
-                    return reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]);
-                });
-            }
-        }
-        const texel_bytes memory(map);
-        count_all(boxes, [&](int i) UMBRAGE_INLINE { return memory.data + at.offsets[i]; });
-    }
-
-    /// The same from a copy of the box, the map's border texels repeated.
-    template <class Boxes>
-    std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
-        constexpr int widest = 2 * max_box_radius + 1;
-        float texels[widest][Boxes::reach > widest ? Boxes::reach : widest]{};
-        for (int j = 0; j < width; ++j) {
-            const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
-            for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
-        }
-        return Boxes(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
-    }
-};
-
-template <>
-struct block_form<filters::box> {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::box& filter, ParallelFor&&, const Use& use) {
-        use(box_blocks<Direction>{map.map, clamp_int(filter.radius, max_box_radius)});
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/disc.hpp
-// Discs over blocks of receivers: the turned points of a row of pixels are looked up, not turned again. All texels near
-// a receiver are compared at once, a row of them in a register, where that is less work than point after point.
-
-namespace umbrage::detail {
-
-/// Taps of a disc in 1/256 texel from the receiver, for each row of 4 x 4 pixels' turns and each pixel of a block.
-struct disc_table {
-    struct tap {
-        alignas(64) std::int32_t x[block], y[block];
-        alignas(64) std::uint32_t packed[block];
-    };
-    std::vector<std::array<tap, 32>> of;
-    int farthest = 0;  ///< along an axis
-
-    /// Both in one word, sums of them from 0 to 2047: x is at the top, where what it borrows and carries is lost.
-    static UMBRAGE_INLINE std::uint32_t pack(std::int32_t x, std::int32_t y) {
-        return (static_cast<std::uint32_t>(x) << 21) + static_cast<std::uint32_t>(y);
-    }
-
-    template <class = on_use>
-    disc_table(const disc_point* points, int count, float radius) : of(16) {
-        const auto rho = static_cast<int>(disc_radius(radius));
-        for (int y = 0; y < 16; ++y)
-            for (int x = 0; x < 4; ++x) {
-                const glm::ivec2 turn(disc_turn(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
-                for (int p = 0; p < count; ++p) {
-                    const disc_point point = points[p];
-                    tap& taps = of[static_cast<std::size_t>(y)][static_cast<std::size_t>(p)];
-                    const int right = (turn.x * point.x - turn.y * point.y) * rho >> 6;
-                    const int up = (turn.y * point.x + turn.x * point.y) * rho >> 6;
-                    for (const int way : {right, -right, up, -up}) farthest = way > farthest ? way : farthest;
-                    for (int i = x; i < block; i += 4) {
-                        taps.x[i] = right;
-                        taps.y[i] = up;
-                        taps.packed[i] = pack(right, up);
-                    }
-                }
-            }
-    }
-};
-
-template <depth_direction Direction>
-struct disc_blocks {
-    using test = block_test<Direction>;
-    struct placed {
-        alignas(64) std::int32_t x[block], y[block], compared[block];  ///< in 1/256 texel
-        alignas(64) float z[block];
-        int row;  ///< of the table
-    };
-    image_view<const float> map;
-    const disc_table& taps;
-    int points, rows;  ///< of the map, before and behind a receiver's
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
-        const texel_bytes memory(map);
-        const int last_x = map.size.x - 1, last_y = map.size.y - 1 - rows;
-        alignas(64) std::int32_t offsets[block];
-        locate(receivers, at, pixel_y);
-        for (int i = 0; i < block; ++i)
-            offsets[i] = memory.offset(clamp_int(at.x[i] >> 8, last_x), clamp_int((at.y[i] >> 8) - rows, last_y));
-        prefetch(memory, offsets, 2 * rows);
-    }
-    template <class Receivers>
-    UMBRAGE_INLINE void locate(const Receivers& receivers, placed& at, int pixel_y) const {
-        at.row = pixel_y & 15;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
-            at.x[i] = floor_int(masked(receivers.x(i), at.compared[i]) * 256.0f);
-            at.y[i] = floor_int(masked(receivers.y(i), at.compared[i]) * 256.0f);
-            at.z[i] = receivers.z(i);
-        }
-    }
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
-        if constexpr (Isa::value != isa::base) {
-            near_texels texels;
-            if (points >= 2 * near_rows && find_near(at, texels))
-                return out_of_line(set, [&](auto) UMBRAGE_INLINE {
-                    count_near<Isa::value == isa::avx512 ? 16 : 8>(at, texels, visibility);
-                });
-        }
-        out_of_line(set, [&](auto) UMBRAGE_INLINE { count_all(at, visibility); });
-    }
-
-private:
-    static constexpr int near_before = 3, near_rows = 7, near_columns = 8;
-    struct near_texels {
-        alignas(64) std::int32_t offsets[block];                           ///< of the first
-        alignas(64) std::uint32_t from[block];                             ///< there to the receiver, packed
-        alignas(64) std::uint32_t upper[block], lower[block], lit[block];  ///< bits of four rows each
-    };
-
-    /// @return   whether all points fall on them, and all of them lie in the map
-    UMBRAGE_INLINE bool find_near(const placed& at, near_texels& texels) const {
-        const texel_bytes memory(map);
-        const int last_x = map.size.x - near_columns, last_y = map.size.y - near_rows;
-        if (last_x < 0 || last_y < 0 || taps.farthest > near_before * 256) return false;
-        std::int32_t all = -1;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t x = (at.x[i] >> 8) - near_before, y = (at.y[i] >> 8) - near_before;
-            const std::int32_t inside = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
-            texels.offsets[i] = memory.offset(x & inside, y & inside);
-            texels.from[i] = disc_table::pack((at.x[i] & 255) + near_before * 256, (at.y[i] & 255) + near_before * 256);
-            all &= inside | ~at.compared[i];
-        }
-        return all != 0;
-    }
-
-    template <int Lanes>
-    UMBRAGE_INLINE void count_near(const placed& at, near_texels& texels, float* visibility) const {
-        for (int i = 0; i < block; ++i) compare_near(at.z[i], texels.offsets[i], texels.upper[i], texels.lower[i]);
-        const auto& row = taps.of[static_cast<std::size_t>(at.row)];
-        for (int i = 0; i < block; i += Lanes) {
-            lanes_of<std::uint32_t, Lanes> from, upper, lower, tap, lit{};
-            load_lanes(texels.from + i, from);
-            load_lanes(texels.upper + i, upper);
-            load_lanes(texels.lower + i, lower);
-            // Bit 4 y + x of columns 0 to 3, and of 4 to 7: there are seven rows, none is lost.
-            const auto left = (upper & 0xFFFF) | lower << 16;
-            const auto right = (upper >> 16 | (lower & 0xFFFF0000)) << 4;
-            for (int p = 0; p < points; ++p) {
-                load_lanes(row[static_cast<std::size_t>(p)].packed + i, tap);
-                tap += from;
-                const auto on_right = reinterpret_cast<lanes_of<std::int32_t, Lanes>>(tap) < 0;
-                lit += (on_right ? right : left) >> ((tap >> 6 & 28) + (tap >> 29)) & 1;
-            }
-            store_lanes(lit, texels.lit + i);
-        }
-        take_share(at, texels.lit, visibility);
-    }
-
-    /// Which texels are lit, as mask_bits of rows 0 to 3 and of 4 to 6.
-    UMBRAGE_INLINE void compare_near(float receiver, std::int32_t offset, std::uint32_t& upper,
-                                     std::uint32_t& lower) const {
-        const texel_bytes memory(map);
-        const std::byte* from = memory.data + offset;
-        lanes_of<std::int32_t, near_columns> lit[8]{};
-        lanes_of<float, near_columns> texels;
-#pragma GCC unroll 7
-        for (int y = 0; y < near_rows; ++y, from += memory.stride) {
-            load_lanes(from, texels);
-            lit_lanes<near_columns, test::forward>(receiver, texels, lit[y]);
-        }
-        upper = mask_bits(lit);
-        lower = mask_bits(lit + 4);
-    }
-
-    UMBRAGE_INLINE void count_all(const placed& at, float* visibility) const {
-        const float_texels of_map{map};
-        const texel_bytes memory(map);
-        const int last_x = map.size.x - 1, last_y = map.size.y - 1;
-        loaded_texels<float_texels> texels(of_map);
-        alignas(64) std::int32_t offsets[block];
-        alignas(64) std::uint32_t lit[block]{};
-        for (int p = 0; p < points; ++p) {
-            const disc_table::tap& tap = taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
-            for (int i = 0; i < block; ++i)
-                offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
-                                           clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
-            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
-            for (int i = 0; i < block; ++i) lit[i] += static_cast<std::uint32_t>(test::lit(at.z[i], texels.one(i)));
-        }
-        take_share(at, lit, visibility);
-    }
-
-    UMBRAGE_INLINE void take_share(const placed& at, const std::uint32_t* lit, float* visibility) const {
-        const float share = points == 8 ? 1.0f / 8.0f : (points == 16 ? 1.0f / 16.0f : 1.0f / 32.0f);
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t count = static_cast<std::int32_t>(lit[i]) & number_mask(at.z[i]);
-            visibility[i] = select(at.compared[i], static_cast<float>(count) * share, 1.0f);
-        }
-    }
-};
-
-template <>
-struct block_form<filters::rotated_disc> {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, ParallelFor&&,
-                            const Use& use) {
-        const disc_table taps(points_of_disc(filter.points).begin(), filter.points, filter.radius_texels);
-        use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/hard.hpp
-// The unfiltered test over blocks of receivers, and the tap that it shares with other filters.
-
-namespace umbrage::detail {
-
-/// Taps that are receivers' own texels, clamped to the map: floor(coord + offset), as four taps have it. That is not
-/// floor(coord) + offset where the sum rounds up to a whole number: filters over neighbours move the texel instead.
-struct placed_tap {
-    alignas(64) std::int32_t offsets[block];
-
-    /// @param space   texels that a receiver can ask for, in each direction
-    template <class T>
-    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset, int space) {
-        const texel_bytes memory(map);
-        const auto last_x = static_cast<float>(last_in_space(map.size.x, space)),
-                   last_y = static_cast<float>(last_in_space(map.size.y, space));
-        for (int i = 0; i < block; ++i)
-            offsets[i] = memory.offset(floor_within(receivers.x(i) + offset.x, last_x),
-                                       floor_within(receivers.y(i) + offset.y, last_y));
-        prefetch(memory, offsets, 1);
-    }
-
-    /// Adds 1 for each receiver that is lit.
-    template <class Test, class Map>
-    UMBRAGE_INLINE void count(const Map& map, const float* z, std::int32_t* lit) const {
-        const texel_bytes memory(map.map);
-        loaded_texels<Map> texels(map);
-        texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
-        for (int i = 0; i < block; ++i) lit[i] += Test::lit(texels.receiver(z[i]), texels.one(i));
-    }
-};
-
-template <depth_direction Direction, class Map>
-struct hard_blocks {
-    using test = block_test<Direction>;
-    struct placed {
-        receiver_block r;
-        placed_tap tap;
-        alignas(64) std::int32_t compared[block];
-    };
-    Map map;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        at.r.copy(receivers);
-        at.tap.place(map.map, at.r, glm::vec2(0.0f), 1 << 15);
-        for (int i = 0; i < block; ++i) at.compared[i] = test::compared(at.r.x(i), at.r.y(i), at.r.z(i));
-    }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        alignas(64) std::int32_t lit[block]{};
-        at.tap.template count<test>(map, at.r.zs, lit);
-        for (int i = 0; i < block; ++i)
-            visibility[i] = static_cast<float>((lit[i] & at.compared[i]) | (1 & ~at.compared[i]));
-    }
-};
-
-template <>
-struct block_form<filters::hard> {
-    static constexpr map_need need = map_need::texels;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::hard&, ParallelFor&&, const Use& use) {
-        use(hard_blocks<Direction, Map>{map});
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/four_tap.hpp
-// Four taps over blocks of receivers.
-
-namespace umbrage::detail {
-
-template <depth_direction Direction, class Map>
-struct four_tap_blocks {
-    using test = block_test<Direction>;
-    struct placed {
-        receiver_block r;
-        placed_tap taps[4];
-        alignas(64) std::int32_t compared[block];
-    };
-    static constexpr int space = 1 << 17;  // of the four taps' sum
-    Map map;
-    std::array<glm::vec2, 4> offsets;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        at.r.copy(receivers);
-        for (std::size_t tap = 0; tap < 4; ++tap) at.taps[tap].place(map.map, at.r, offsets[tap], space);
-        for (int i = 0; i < block; ++i) {
-            std::int32_t x = 0, y = 0;
-            for (const glm::vec2& offset : offsets) {
-                x += floor_magnitude(at.r.x(i) + offset.x, float(space));
-                y += floor_magnitude(at.r.y(i) + offset.y, float(space));
-            }
-            at.compared[i] = x < space && y < space ? ~beyond_far_mask<test::forward>(at.r.z(i)) : 0;
-        }
-    }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        alignas(64) std::int32_t lit[block]{};
-        for (const placed_tap& tap : at.taps) tap.template count<test>(map, at.r.zs, lit);
-        for (int i = 0; i < block; ++i)
-            visibility[i] = static_cast<float>((lit[i] & at.compared[i]) | (4 & ~at.compared[i])) * 0.25f;
-    }
-};
-
-template <>
-struct block_form<filters::four_tap> {
-    static constexpr map_need need = map_need::texels;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::four_tap& filter, ParallelFor&&, const Use& use) {
-        use(four_tap_blocks<Direction, Map>{map, filter.offsets});
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/images/parallel.hpp
-// How image functions use threads: they have none, and ask the caller's scheduler.
-//
-//     auto parallel_for = [&](int count, auto&& piece) {
-//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
-//                           [&](const auto& range) { piece(range.begin(), range.end()); });
-//     };
-//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
-//
-// parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
-// threads, and returns when all are done. Pieces are bands of rows, or strips of columns; no way to cut them changes a
-// bit.
-
-namespace umbrage {
-
-/// The default: everything in one piece, on the caller's thread.
-struct serial {
-    template <class Piece>
-    void operator()(int count, Piece&& piece) const {
-        if (count > 0) piece(0, count);
-    }
-};
-
-namespace detail {
-
-/// By the caller's scheduler, unless there is only one piece, for which it would start threads in vain.
-template <class ParallelFor, class Piece>
-void in_pieces(int count, ParallelFor&& parallel, const Piece& piece) {
-    if (count == 1) piece(0, 1);
-    else parallel(count, piece);
-}
-
-}  // namespace detail
-}  // namespace umbrage
-
-// ---- umbrage/simd/blocks/box_bounds.hpp
-// Least and greatest depth under boxes of texels, one number each for every place of a box.
-
-namespace umbrage::detail {
-
-/// For every place where a box may start, the bounds of the squares of texels that the box touches: at most `cells`
-/// squares of 2^level texels in a row.
-struct box_bounds {
-    int level, cells;
-    glm::ivec2 squares;             ///< of the map
-    glm::ivec2 last;                ///< of the starts, which begin cells - 1 squares in front of the map
-    unset_image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
-
-    /// @param width   of the box
-    template <class ParallelFor>
-    box_bounds(image_view<const float> map, int width, ParallelFor&& parallel)
-        : level(width < 9 ? 1 : 2),
-          cells(((1 << level) + width - 2) / (1 << level) + 1),
-          squares((map.size + ((1 << level) - 1)) >> level),
-          last(squares + (cells - 2)),
-          bounds({(last.x + block) / block * block, last.y + 1}) {
-        parallel(bounds.view.size.y, [&](int from, int to) {
-            const int before = cells - 1, columns = bounds.view.size.x;
-            const int plane = columns + (before + block) / block * block;
-            const auto row_size = static_cast<std::size_t>(2 * plane);
-            std::vector<std::int32_t> row(row_size + static_cast<std::size_t>(before));
-            std::vector<std::int32_t> rows(row_size * static_cast<std::size_t>(cells));  // of squares, the latest
-            const auto row_at = [&](int y) UMBRAGE_INLINE { return rows.data() + (y + before) % cells * 2 * plane; };
-            on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = from - before; y < to; ++y) {
-                    std::int32_t* const planes[]{row.data(), row.data() + plane};
-                    bounds_of_squares(map, clamp_int(y, squares.y - 1), planes);
-                    for (int x = 0; x < 2 * plane; x += block)
-                        widen(row_at(y) + x, [&](int k) UMBRAGE_INLINE { return row.data() + x + k; });
-                    if (y < from) continue;
-                    for (int x = 0; x < columns; x += block) {
-                        alignas(64) std::int32_t low[block], high[block];
-                        widen(low, [&](int k) UMBRAGE_INLINE { return row_at(y - k) + x; });
-                        widen(high, [&](int k) UMBRAGE_INLINE { return row_at(y - k) + plane + x; });
-                        glm::vec2* out = bounds.view.row(y) + x;
-                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(low[i]), from_order_key(~high[i])};
-                    }
-                }
-            });
-        });
-    }
-
-private:
-    static constexpr int deepest = 2;  ///< level
-
-    /// Of a row of squares: least depths and greatest, these as complements so that both are minima. Squares at the
-    /// border are repeated, as far as boxes reach.
-    UMBRAGE_INLINE void bounds_of_squares(const image_view<const float>& map, int y,
-                                          std::int32_t* const planes[2]) const {
-        for (int x = 0; x < squares.x; x += block) {
-            alignas(64) std::int32_t parts[2][block << deepest];
-            for (int i = 0; i < block << level; i += block)
-                bounds_of_columns(map, {(x << level) + i, y << level}, parts[0] + i, parts[1] + i);
-            for (int p = 0; p < 2; ++p) {
-                for (int left = block << level; left > block; left /= 2)
-                    for (int i = 0; i < left; i += 2 * block) halve(parts[p] + i, parts[p] + i / 2);
-                std::memcpy(planes[p] + cells - 1 + x, parts[p], sizeof(std::int32_t) * block);
-            }
-        }
-        for (int p = 0; p < 2; ++p) {
-            std::int32_t *const first = planes[p] + (cells - 1), *const end = first + squares.x;
-            fill(planes[p], std::size_t(cells - 1), *first);
-            fill(end, std::size_t(bounds.view.size.x - squares.x), end[-1]);
-        }
-    }
-
-    /// Over 2^level rows; the last row and column are repeated.
-    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, glm::ivec2 first, std::int32_t* low,
-                                          std::int32_t* high) const {
-        constexpr int rows = 1 << deepest;
-        alignas(64) float repeated[rows][block];
-        const float* depths[rows];
-        for (int k = 0; k < rows; ++k) {
-            const float* row = map.row(clamp_int(first.y + (k & ((1 << level) - 1)), map.size.y - 1));
-            depths[k] = row + first.x;
-            prefetch_bytes(depths[k], map.stride * (1 << level), block * sizeof(float));
-            if (first.x + block <= map.size.x) continue;
-            for (int i = 0; i < block; ++i) repeated[k][i] = row[clamp_int(first.x + i, map.size.x - 1)];
-            depths[k] = repeated[k];
-        }
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t a = order_key(depths[0][i]), b = order_key(depths[1][i]);
-            const std::int32_t c = order_key(depths[2][i]), d = order_key(depths[3][i]);
-            low[i] = least(least(a, b), least(c, d));
-            high[i] = ~greatest(greatest(a, b), greatest(c, d));
-        }
-    }
-
-    static UMBRAGE_INLINE void halve(const std::int32_t* pairs, std::int32_t* to) {
-        alignas(64) std::int32_t halves[block];
-        for (int i = 0; i < block; ++i) halves[i] = least(pairs[2 * i], pairs[2 * i + 1]);
-        std::memcpy(to, halves, sizeof halves);
-    }
-
-    /// to[i] = least of from(k)[i] over k < cells, for a block.
-    template <class From>
-    UMBRAGE_INLINE void widen(std::int32_t* to, const From& from) const {
-        alignas(64) std::int32_t best[block];
-        std::memcpy(best, from(0), sizeof best);
-        for (int k = 1; k < cells; ++k) {
-            const std::int32_t* other = from(k);
-            for (int i = 0; i < block; ++i) best[i] = least(best[i], other[i]);
-        }
-        std::memcpy(to, best, sizeof best);
-    }
-
-    static UMBRAGE_INLINE std::int32_t least(std::int32_t a, std::int32_t b) { return least_of{}(a, b); }
-    static UMBRAGE_INLINE std::int32_t greatest(std::int32_t a, std::int32_t b) { return greatest_of{}(a, b); }
-};
-
-/// Of filters that are known by their reach alone: texels whose centres lie so far from a receiver, an axis, and how
-/// many they can be.
-struct reached_texels {
-    int reach;  ///< in 1/256 texel
-    explicit reached_texels(float texels) : reach(-floor_int(-texels * 256.0f)) {}
-
-    [[nodiscard]] int count() const { return (2 * reach + 1) / 256 + 1; }
-    /// What is added to floor(256 coord), so that a 256th of it is the first of them.
-    [[nodiscard]] int before() const { return 127 - reach; }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/window.hpp
-// Sliding windows over blocks of receivers, for any row of weights: a register holds a row of the window's texels, each
-// row adds its weight to the lanes that are lit, and the columns' weights are taken last.
-
-namespace umbrage::detail {
-
-/// window_weights for all that a window can have moved; 0 beside it.
-struct window_table {
-    alignas(64) float of[256][16]{};
-
-    explicit window_table(const window_row& row) {
-        for (int moved = 0; moved < 256; ++moved) window_weights(row, moved, of[moved]);
-    }
-};
-
-template <depth_direction Direction>
-struct window_blocks {
-    using test = block_test<Direction>;
-    struct placed {
-        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the window
-        alignas(64) std::int32_t moved_x[block], moved_y[block], inside[block], compared[block];
-        alignas(64) float z[block];
-        std::int32_t all_inside;  ///< all bits if registers can be loaded for every window
-    };
-    image_view<const float> map;
-    const window_row& row;
-    const window_table& weights;
-
-    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< of a window
-    [[nodiscard]] UMBRAGE_INLINE int loaded() const {                        ///< of a row of texels
-        return row.touched() > 8 ? 16 : (row.touched() > 4 ? 8 : 4);
-    }
-
-    /// Of the texels that a receiver there asks for, along an axis.
-    [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const {
-        return ((floor_int(coord * 256.0f) - (row.size % 2 ? 128 : 0)) >> 8) - row.size / 2;
-    }
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const texel_bytes memory(map);
-        const int before = row.size / 2, half = row.size % 2 ? 128 : 0;
-        const int last_x = map.size.x - loaded(), last_y = map.size.y - row.touched();
-        std::int32_t all = -1;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
-            const std::int32_t right = floor_int(masked(receivers.x(i), at.compared[i]) * 256.0f) - half;
-            const std::int32_t up = floor_int(masked(receivers.y(i), at.compared[i]) * 256.0f) - half;
-            const std::int32_t x = (right >> 8) - before, y = (up >> 8) - before;
-            at.moved_x[i] = right & 255;
-            at.moved_y[i] = up & 255;
-            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
-            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
-            at.x[i] = x;
-            at.y[i] = y;
-            at.z[i] = receivers.z(i);
-            all &= at.inside[i];
-        }
-        at.all_inside = all;
-        prefetch(memory, at.offsets, last_y < 0 ? 1 : row.touched());
-    }
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
-        out_of_line(set,
-                    [&](auto) UMBRAGE_INLINE { weigh_all<Isa::value == isa::base ? 4 : 8>(at, count, visibility); });
-    }
-
-private:
-    template <int Lanes>
-    UMBRAGE_INLINE void weigh_all(const placed& at, int count, float* visibility) const {
-        alignas(64) float sums[block]{};
-        if (map.size.x >= loaded() && map.size.y >= row.touched()) {
-            if (Lanes == 8 && row.touched() == 4) weigh_inside<4, 1, 4>(at, count, sums);
-            else if (row.touched() <= 4) weigh_inside<4, 1>(at, count, sums);
-            else if (row.touched() <= 8) weigh_inside<Lanes, 8 / Lanes>(at, count, sums);
-            else weigh_inside<Lanes, 16 / Lanes>(at, count, sums);
-        }
-        if (!at.all_inside)
-            for (int i = 0; i < count; ++i)
-                if (at.compared[i] & ~at.inside[i]) sums[i] = weigh_at_border(at, i);
-        const float whole = row.whole * row.whole, scale = row.scale;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const float sum = masked(sums[i], number_mask(at.z[i]));
-            visibility[i] = select(~at.compared[i] | -std::int32_t(sum == whole), 1.0f, sum * scale);
-        }
-    }
-
-    /// Four rows of four texels, two in a register.
-    UMBRAGE_INLINE void weigh_four_rows(const std::byte* texels, std::ptrdiff_t stride, float receiver,
-                                        const float* rows, const float* columns, lanes_of<float, 4>& sum) const {
-        lanes_of<float, 4> upper, lower, weights_of_rows;
-        lanes_of<float, 8> two_rows, first, second;
-        lanes_of<std::int32_t, 8> mask;
-        const auto keep_lit = [&](const std::byte* from, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
-            load_lanes(from, upper);
-            load_lanes(from + stride, lower);
-            shuffle<0, 1, 2, 3, 4, 5, 6, 7>(upper, lower, two_rows);
-            lit_lanes<8, test::forward>(receiver, two_rows, mask);
-            keep_where<8>(mask, weight);
-        };
-        load_lanes(rows, weights_of_rows);
-        shuffle<0, 0, 0, 0, 1, 1, 1, 1>(weights_of_rows, weights_of_rows, first);
-        shuffle<2, 2, 2, 2, 3, 3, 3, 3>(weights_of_rows, weights_of_rows, second);
-        keep_lit(texels, first);
-        keep_lit(texels + 2 * stride, second);
-        first += second;
-        shuffle<0, 1, 2, 3>(first, first, upper);
-        shuffle<4, 5, 6, 7>(first, first, lower);
-        load_lanes(columns, sum);
-        sum = (upper + lower) * sum;
-    }
-
-    /// All of them: those that are not inside weigh the map's first texels.
-    template <int Lanes, int Registers, int Rows = 0>
-    UMBRAGE_INLINE void weigh_inside(const placed& at, int count, float* sums) const {
-        const texel_bytes memory(map);
-        const int touched = row.touched();
-        const auto weigh = [&](int i, lanes_of<float, 4>& sum) UMBRAGE_INLINE {
-            const float *rows = weights.of[at.moved_y[i]], *columns = weights.of[at.moved_x[i]];
-            if constexpr (Rows == 4)
-                return weigh_four_rows(memory.data + at.offsets[i], memory.stride, at.z[i], rows, columns, sum);
-            sum = lanes_of<float, 4>{};
-#pragma GCC unroll 4
-            for (int r = 0; r < Registers; ++r) {
-                const std::byte* from = memory.data + at.offsets[i] + std::size_t(r) * Lanes * sizeof(float);
-                lanes_of<float, Lanes> lit{}, texels;
-                lanes_of<std::int32_t, Lanes> mask;
-                for (int j = 0; j < touched; ++j) {
-                    load_lanes(from, texels);
-                    lit_lanes<Lanes, test::forward>(at.z[i], texels, mask);
-                    add_where<Lanes>(mask, rows[j], lit);
-                    from += memory.stride;
-                }
-                load_lanes(columns + r * Lanes, texels);
-                add_products<Lanes>(lit, texels, sum);
-            }
-        };
-        for (int i = 0; i < count; i += 4) {  // a block is a multiple of four
-            lanes_of<float, 4> a, b, c, d, four;
-            weigh(i, a);
-            weigh(i + 1, b);
-            weigh(i + 2, c);
-            weigh(i + 3, d);
-            sum_four_lanes(a, b, c, d, four);
-            store_lanes(four, sums + i);
-        }
-    }
-
-    [[nodiscard]] float weigh_at_border(const placed& at, int i) const {
-        const float *columns = weights.of[at.moved_x[i]], *rows = weights.of[at.moved_y[i]];
-        float sum = 0.0f;
-        for (int j = 0; j < row.touched(); ++j) {
-            const float* texels = texel_at(map, 0, clamp_int(at.y[i] + j, map.size.y - 1));
-            for (int k = 0; k < row.touched(); ++k)
-                if (test::lit(at.z[i], texels[clamp_int(at.x[i] + k, map.size.x - 1)])) sum += rows[j] * columns[k];
-        }
-        return sum;
-    }
-};
-
-template <>
-struct block_form<filters::window> {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::window& filter, ParallelFor&&, const Use& use) {
-        const window_table weights(filter.row);
-        use(window_blocks<Direction>{map.map, filter.row, weights});
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/hierarchical.hpp
-// Filters over many texels for receivers most of which are wholly lit or wholly in shadow: those ask one number for all
-// of them. visibility() does it for filters::hierarchical_box, hierarchical_window and hierarchical_disc, which give
-// bit for bit what filters::box, window and rotated_disc do.
-//
-//     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
-//
-
-namespace umbrage::detail {
-
-/// A block of which no receiver is compared, as all over the sky.
-UMBRAGE_INLINE inline void light_all(float* visibility) {
-    for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
-}
-
-/// What bounds say of a block: lit or dark, and which receivers are open, as their texels differ.
-/// @return   whether any is open: not 0
-template <class Test>
-UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std::int32_t* offsets,
-                                              const std::int32_t* compared, const float* depths, float* visibility,
-                                              std::int32_t* open) {
-    const texel_bytes<const glm::vec2> memory(tree.bounds.view);
-    alignas(64) glm::vec2 bounds[block];
-    std::int32_t any = 0;
-    gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
-    for (int i = 0; i < block; ++i) {
-        const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
-        const std::int32_t dark = Test::none_lit(depths[i], bounds[i].x, bounds[i].y);
-        visibility[i] = select(-lit | ~compared[i], 1.0f, 0.0f);
-        open[i] = compared[i] & ~-(lit | dark);
-        any |= open[i];
-    }
-    return any;
-}
-
-/// The open receivers of a tile of 64 x 8. They lie close to each other, so that one copy of the map serves them all,
-/// and fill their blocks, which those of a row alone do not.
-struct open_receivers {
-    static constexpr int rows = 8, room = rows * block;
-    alignas(64) float xs[room], ys[room], zs[room];
-    float* visibility[room];
-    int count = 0;
-    map_tile texels;
-
-    UMBRAGE_INLINE void add(const receiver_block& r, const std::int32_t* open, int of, float* out) {
-        const auto word = [](float& to, const float& from)
-                              UMBRAGE_INLINE { std::memcpy(&to, &from, sizeof to); };  // more a cycle than floats
-        int end = count;
-        for (int i = 0; i < of; ++i) {
-            word(xs[end], r.xs[i]);
-            word(ys[end], r.ys[i]);
-            word(zs[end], r.zs[i]);
-            visibility[end] = out + i;
-            end -= open[i];
-        }
-        count = end;
-    }
-
-    /// Copies behind them: if all boxes of a block are in the map, none needs care.
-    UMBRAGE_INLINE void fill_last_block() {
-        for (int i = count; i % block != 0; ++i) xs[i] = xs[0], ys[i] = ys[0], zs[i] = zs[0];
-    }
-};
-
-/// @tparam Blocks   of the filter that reads every texel of its box
-template <class Blocks>
-struct hierarchical_blocks {
-    using test = typename Blocks::test;
-    using tile = open_receivers;
-    struct placed {
-        receiver_block r;
-        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< of those that are compared
-    };
-    const box_bounds& tree;
-    Blocks every_texel;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
-        const int before = tree.cells - 1, level = tree.level;
-        const glm::ivec2 last = tree.last;
-        std::int32_t any = 0;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
-            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
-            any |= at.compared[i];
-        }
-        at.any = any;
-        if (!any) return;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t x = every_texel.first(masked(at.r.x(i), at.compared[i]));
-            const std::int32_t y = every_texel.first(masked(at.r.y(i), at.compared[i]));
-            at.offsets[i] =
-                memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
-        }
-        prefetch(memory, at.offsets, 1);
-    }
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, tile& later, Isa) const {
-        alignas(64) std::int32_t open[block];
-        if (!at.any) return light_all(visibility);
-        if (ask_bounds<test>(tree, at.offsets, at.compared, at.r.zs, visibility, open))
-            later.add(at.r, open, count, visibility);
-    }
-
-    template <class Isa>
-    UMBRAGE_INLINE void finish(tile& later, Isa set) const {
-        if (later.count > 0) out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(later, set); });
-    }
-
-private:
-    template <class Isa>
-    UMBRAGE_INLINE void count_open(tile& open, Isa set) const {
-        Blocks reads = every_texel;
-        open.fill_last_block();
-        if (map_tile::helps(reads.map.stride, reads.side())) read_copy(open, reads.map);
-        alignas(64) float shares[block];
-        typename Blocks::placed boxes;
-        for (int from = 0; from < open.count; from += block) {
-            const int count = lesser(open.count - from, block);
-            reads.place(receiver_rows{open.xs + from, open.ys + from, open.zs + from}, boxes);
-            reads(boxes, count, shares, set);
-            for (int i = 0; i < count; ++i) *open.visibility[from + i] = shares[i];
-        }
-        open.count = 0;
-    }
-
-    /// Makes the map a copy of the texels that receivers ask for, and these relative to it, where they all fit.
-    UMBRAGE_INLINE void read_copy(tile& open, image_view<const float>& map) const {
-        glm::ivec2 first(every_texel.first(open.xs[0]), every_texel.first(open.ys[0])), last = first;
-        for (int from = 0; from < open.count; from += block)
-            for (int i = from; i < from + block; ++i) {
-                const glm::ivec2 at(every_texel.first(open.xs[i]), every_texel.first(open.ys[i]));
-                first = {lesser(first.x, at.x), lesser(first.y, at.y)};
-                last = {greater(last.x, at.x), greater(last.y, at.y)};
-            }
-        last += glm::ivec2(every_texel.loaded(), every_texel.side()) - 1;
-        if (!map_tile::holds(first, last)) return;
-        if (first.x < 0 || first.y < 0 || last.x >= map.size.x || last.y >= map.size.y) return;
-        open.texels.copy(map, first, last);
-        map = {open.texels.texels[0], last - first + 1, sizeof open.texels.texels[0]};
-        const glm::vec2 moved(first);
-        for (int from = 0; from < open.count; from += block)
-            for (int i = from; i < from + block; ++i) open.xs[i] -= moved.x, open.ys[i] -= moved.y;
-    }
-};
-
-/// Turns go by the place in a block: one that has an open receiver is looked up whole.
-template <depth_direction Direction>
-struct hierarchical_disc_blocks {
-    using test = block_test<Direction>;
-    struct placed {
-        typename disc_blocks<Direction>::placed points;
-        alignas(64) std::int32_t offsets[block], any;
-    };
-    const box_bounds& tree;
-    const disc_blocks<Direction>& every_point;
-    reached_texels reached;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
-        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
-        const int before = tree.cells - 1, shift = 8 + tree.level, ahead = reached.before();
-        const glm::ivec2 last = tree.last;
-        every_point.locate(receivers, at.points, pixel_y);
-        at.any = 0;
-        for (int i = 0; i < block; ++i) at.any |= at.points.compared[i];
-        if (!at.any) return;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i)
-            at.offsets[i] = memory.offset(clamp_int(((at.points.x[i] + ahead) >> shift) + before, last.x),
-                                          clamp_int(((at.points.y[i] + ahead) >> shift) + before, last.y));
-        prefetch(memory, at.offsets, 1);
-    }
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
-        alignas(64) std::int32_t open[block];
-        if (!at.any) return light_all(visibility);
-        if (ask_bounds<test>(tree, at.offsets, at.points.compared, at.points.z, visibility, open))
-            every_point(at.points, count, visibility, set);
-    }
-};
-
-template <>
-struct block_form<filters::hierarchical_box> {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::hierarchical_box& filter, ParallelFor&& parallel,
-                            const Use& use) {
-        const box_blocks<Direction> every_texel{map.map, clamp_int(filter.radius, max_box_radius)};
-        if (map.map.size.x < block) return use(every_texel);  // bounds come in whole blocks: they would outgrow the map
-        const box_bounds tree(map.map, 2 * every_texel.radius + 1, parallel);
-        use(hierarchical_blocks<box_blocks<Direction>>{tree, every_texel});
-    }
-};
-
-template <>
-struct block_form<filters::hierarchical_window> {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::hierarchical_window& filter, ParallelFor&& parallel,
-                            const Use& use) {
-        const window_table weights(filter.row);
-        const window_blocks<Direction> every_texel{map.map, filter.row, weights};
-        if (map.map.size.x < block) return use(every_texel);
-        const box_bounds tree(map.map, filter.row.touched(), parallel);
-        use(hierarchical_blocks<window_blocks<Direction>>{tree, every_texel});
-    }
-};
-
-template <>
-struct block_form<filters::hierarchical_disc> {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::hierarchical_disc& filter, ParallelFor&& parallel,
-                            const Use& use) {
-        using plain = block_form<filters::rotated_disc>;
-        plain::with_blocks<Direction>(map, filter, parallel, [&](const disc_blocks<Direction>& every_point) {
-            if (map.map.size.x < block) return use(every_point);
-            const reached_texels reached(filter.reach());
-            const box_bounds tree(map.map, reached.count(), parallel);
-            use(hierarchical_disc_blocks<Direction>{tree, every_point, reached});
-        });
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/pcf_2x2.hpp
-// Bilinear 2x2 percentage-closer filtering over blocks of receivers.
-
-namespace umbrage::detail {
-
-/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
-/// same, so that both neighbours are in the map and one load gets them.
-template <depth_direction Direction, class Map>
-struct pcf_2x2_blocks {
-    using test = block_test<Direction>;
-    struct placed {
-        alignas(64) std::int32_t offsets[block], compared[block];
-        alignas(64) float hi_x[block], hi_y[block], z[block];
-    };
-    Map map;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const texel_bytes memory(map.map);
-        constexpr int space = (1 << 15) + 1;  // a receiver in it may ask for the texel beyond
-        const int last_x = last_in_space(map.map.size.x, space), last_y = last_in_space(map.map.size.y, space);
-        const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
-            const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
-            const std::int32_t here = position >> 8, last_pair = last - 1;
-            const std::int32_t texel = here < last_pair ? here : last_pair;
-            hi = static_cast<float>(position - texel * 256);
-            return texel;
-        };
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const float x = receivers.x(i), y = receivers.y(i), z = receivers.z(i);
-            at.compared[i] = test::compared(x, y, z);
-            at.offsets[i] = memory.offset(axis(x, last_x, at.hi_x[i]), axis(y, last_y, at.hi_y[i]));
-            at.z[i] = z;
-        }
-        prefetch(memory, at.offsets, 2);
-    }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        const texel_bytes memory(map.map);
-        loaded_texels<Map> low(map), high(map);
-        loaded_texels<Map>::load_two(
-            low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }, high,
-            [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
-        for (int i = 0; i < block; ++i) {
-            const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
-            const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
-                return masked(lo_x, -test::lit(z, row.first(i))) + masked(at.hi_x[i], -test::lit(z, row.second(i)));
-            };
-            const float sum = lo_y * weigh(low) + at.hi_y[i] * weigh(high);
-            visibility[i] = select(at.compared[i], sum * (1.0f / 65536.0f), 1.0f);
-        }
-    }
-};
-
-template <>
-struct block_form<filters::pcf_2x2> {
-    static constexpr map_need need = map_need::texels;
-    static constexpr int least = 2;
-    template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
-        use(pcf_2x2_blocks<Direction, Map>{map});
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/soft.hpp
-// Contact hardening over blocks of receivers: discs as in disc.hpp, with a radius for each receiver.
-
-namespace umbrage::detail {
-
-/// floor(a / b); 0 <= a < 2^24, 1 <= b, as floor_divide.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t divide_int(std::int32_t a, std::int32_t b) {
-    auto q = static_cast<std::int32_t>(static_cast<float>(a) / static_cast<float>(b));
-    q -= std::int32_t(q * b > a);
-    return q + std::int32_t((q + 1) * b <= a);
-}
-
-/// @tparam Filter   filters::pcss or filters::dpcf
-template <depth_direction Direction, class Filter>
-struct soft_blocks : disc_blocks<Direction> {
-    using discs = disc_blocks<Direction>;
-    using test = typename discs::test;
-    using placed = typename discs::placed;
-    static constexpr std::int32_t far_code = 65535;
-    static constexpr bool filters_again = std::is_same_v<Filter, filters::pcss>;
-
-    float per_code;
-    std::int32_t least, widest;
-
-    /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
-    static disc_table turned_points(const Filter& filter) {
-        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
-    }
-    soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
-        : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
-          per_code(filter.softness.per_code),
-          least(static_cast<std::int32_t>(filter.softness.least)),
-          widest(static_cast<std::int32_t>(filter.softness.widest)) {}
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
-        out_of_line(set, [&](auto) UMBRAGE_INLINE { soften(at, visibility); });
-    }
-
-private:
-    [[nodiscard]] static UMBRAGE_INLINE std::int32_t distance_code_of(float depth) {
-        const std::int32_t number = number_mask(depth), x = floor_within(depth * 65536.0f, 65535.0f);
-        return ((test::forward ? x : far_code - x) & number) | (far_code & ~number);
-    }
-    [[nodiscard]] UMBRAGE_INLINE std::int32_t radius(std::int32_t apart) const {
-        const std::int32_t r = floor_int(static_cast<float>(apart) * per_code);
-        const std::int32_t above = r > least ? r : least;
-        return above < widest ? above : widest;
-    }
-
-    /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.
-    template <class Use>
-    UMBRAGE_INLINE void for_each_tap(const placed& at, const std::int32_t* radii, const Use& use) const {
-        const float_texels of_map{this->map};
-        const texel_bytes memory(this->map);
-        const int last_x = this->map.size.x - 1, last_y = this->map.size.y - 1;
-        loaded_texels<float_texels> texels(of_map);
-        alignas(64) std::int32_t offsets[block];
-        for (int p = 0; p < this->points; ++p) {
-            const disc_table::tap& tap = this->taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
-            for (int i = 0; i < block; ++i)
-                offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
-                                           clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
-            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
-            use(texels);
-        }
-    }
-
-    UMBRAGE_INLINE void soften(const placed& at, float* visibility) const {
-        alignas(64) std::int32_t codes[block], searched[block], radii[block], blocked[block]{}, sums[block]{};
-        for (int i = 0; i < block; ++i) {
-            codes[i] = distance_code_of(at.z[i]);
-            searched[i] = radius(codes[i]);
-        }
-        for_each_tap(at, searched, [&](const auto& texels) UMBRAGE_INLINE {
-            std::int32_t found = 0;
-            for (int i = 0; i < block; ++i) {
-                const std::int32_t before = 1 - test::lit(at.z[i], texels.one(i));
-                blocked[i] += before;
-                found |= before;
-            }
-            if (found == 0) return;  // most blocks of a picture are lit
-            for (int i = 0; i < block; ++i)
-                sums[i] += distance_code_of(texels.one(i)) & -(1 - test::lit(at.z[i], texels.one(i)));
-        });
-        std::int32_t any = 0;
-        for (int i = 0; i < block; ++i) {
-            any |= blocked[i] & at.compared[i];
-            radii[i] = radius(codes[i] - divide_int(sums[i], blocked[i] > 1 ? blocked[i] : 1));
-        }
-        if (any == 0) {
-            for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
-        } else if constexpr (filters_again) {
-            alignas(64) std::int32_t lit[block]{};
-            for_each_tap(at, radii, [&](const auto& texels) UMBRAGE_INLINE {
-                for (int i = 0; i < block; ++i) lit[i] += test::lit(at.z[i], texels.one(i));
-            });
-            const float share = 1.0f / static_cast<float>(this->points);
-            UMBRAGE_NO_OVERLAP
-            for (int i = 0; i < block; ++i)
-                visibility[i] =
-                    select(at.compared[i] & -std::int32_t(blocked[i] > 0), static_cast<float>(lit[i]) * share, 1.0f);
-        } else {
-            const std::int32_t n = this->points, cube = n * n * n;
-            const float share = 1.0f / (512.0f * static_cast<float>(cube));
-            UMBRAGE_NO_OVERLAP
-            for (int i = 0; i < block; ++i) {
-                const std::int32_t ratio = divide_int(radii[i] * 256, searched[i] > 1 ? searched[i] : 1);
-                const std::int32_t u = blocked[i] * 2 - n, d = n - (u < 0 ? -u : u), steep = cube - d * d * d;
-                const std::int32_t hard = u < 0 ? cube - steep : cube + steep;
-                const std::int32_t dark = hard * (256 - ratio) + blocked[i] * ratio * (2 * n * n);
-                visibility[i] = select(at.compared[i], 1.0f - static_cast<float>(dark) * share, 1.0f);
-            }
-        }
-    }
-};
-
-template <class Filter>
-struct soft_form {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
-        using blocks = soft_blocks<Direction, Filter>;
-        const disc_table turned = blocks::turned_points(filter);
-        use(blocks(map.map, turned, filter));
-    }
-};
-template <>
-struct block_form<filters::pcss> : soft_form<filters::pcss> {};
-template <>
-struct block_form<filters::dpcf> : soft_form<filters::dpcf> {};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/filter/filters.hpp
-// Every filter of the library, in one list: what tools, tables, proofs and examples walk. Each comes with its form for
-// blocks of receivers.
-//
-//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::box{.radius = 2}, out);
-//
-
-namespace umbrage::filters {
-
-using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box, window, rotated_disc>;
-
-/// Beside them those that know the light's size: their maps hold z/w.
-using soft = list_of<pcss, dpcf>;
-
-}  // namespace umbrage::filters
-
-namespace umbrage {
-
-/// Calls use(filter) for one after the other.
-template <class Use>
-void for_each_filter(Use&& use) {
-    filters::all::for_each(use);
-}
-
-/// Calls use(filter) with the one of that name.
-/// @return   false where none is called so
-template <class Use>
-bool with_filter(std::string_view name, Use&& use) {
-    return filters::all::with(name, use);
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/images/blur.hpp
 // Separable blur of images of one to four floats a texel, such as moments.
 //
@@ -12637,7 +10897,7 @@ template <class = detail::on_use>
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/projection.hpp
+// ---- umbrage/images/raster/projection.hpp
 // From world positions to vertices on the 1/256 texel grid: projected and snapped, one at a time or in blocks.
 //
 //     projection project(world_to_clip, clip, {1024, 1024});
@@ -12894,7 +11154,7 @@ template <class = detail::on_use>
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/triangles.hpp
+// ---- umbrage/images/raster/triangles.hpp
 // Triangles on the vertex grid, 64 at a time: which way round, edges and depth planes in loops that vectorise.
 //
 //     triangles batch;
@@ -13175,7 +11435,7 @@ private:
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/band_buffer.hpp
+// ---- umbrage/images/raster/band_buffer.hpp
 // Rows of an image that are drawn to, in place or in a copy, where they do not contend for the cache.
 //
 //     band_buffer<> buffer;  // of a thread, for one band after the other
@@ -13244,7 +11504,7 @@ private:
 
 }  // namespace umbrage::detail
 
-// ---- umbrage/simd/raster/depth_rounding.hpp
+// ---- umbrage/images/raster/depth_rounding.hpp
 // Depths of texels side by side: two registers of doubles to one of floats, rounded to the nearest.
 //
 //     const depths_of_binade<8> depths(lowest);
@@ -13352,7 +11612,7 @@ private:
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/small_triangles.hpp
+// ---- umbrage/images/raster/small_triangles.hpp
 // Triangles of a few texels, all of a batch at once: texel by texel of their bounds, each a loop over the triangles.
 //
 //     const small_triangles small(batch);
@@ -13470,7 +11730,7 @@ private:
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/depth_writer.hpp
+// ---- umbrage/images/raster/depth_writer.hpp
 // Triangles into a depth image: the nearer of what is there and the plane's depth. Small ones are drawn all of a batch
 // at once, the others one by one, in columns of some texels' width.
 //
@@ -13663,7 +11923,7 @@ void draw(image_view<float> rows, int first, const triangles& batch) {
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/depth_target.hpp
+// ---- umbrage/images/raster/depth_target.hpp
 // Where batches are drawn to: a depth image, or band by band, each by one thread.
 //
 //     const depth_target<true> target(depth);
@@ -13701,7 +11961,7 @@ private:
 
 }  // namespace umbrage::detail
 
-// ---- umbrage/simd/raster/clip.hpp
+// ---- umbrage/images/raster/clip.hpp
 // The part of a triangle that can be drawn: in front of the near plane, within the guard band.
 //
 //     clipped_polygon polygon = clip_triangle(project, a, b, c);
@@ -13760,7 +12020,7 @@ template <class = on_use>
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/row_locks.hpp
+// ---- umbrage/images/raster/row_locks.hpp
 // Rows of an image to which several threads draw: one thread at a time to the same ones.
 //
 //     row_locks<> locks(height);
@@ -13796,7 +12056,7 @@ private:
 
 }  // namespace umbrage::detail
 
-// ---- umbrage/simd/raster/snapped_chunk.hpp
+// ---- umbrage/images/raster/snapped_chunk.hpp
 // Some triangles of a mesh in some instances, their vertices projected and snapped: what fits a cache at a time.
 //
 //     snapped_chunk chunk(mesh, projections);
@@ -13945,7 +12205,7 @@ private:
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/snapped_mesh.hpp
+// ---- umbrage/images/raster/snapped_mesh.hpp
 // Instances of a mesh on the grid of an image, a chunk of triangles at a time: their vertices projected and snapped,
 // they themselves clipped and handed out in batches, in the mesh's order or so that threads draw side by side.
 //
@@ -14272,7 +12532,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
 /// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
-/// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangles.hpp: set_up
+/// @exactness   coverage A from the snapped vertices on; depth B, see images/raster/triangles.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
@@ -14366,7 +12626,7 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
 
 }  // namespace umbrage
 
-// ---- umbrage/simd/blocks/codec.hpp
+// ---- umbrage/images/blocks/codec.hpp
 // Encodings over blocks of 64 depths, in loops that vectorise: bit for bit what their own encode and decode give.
 //
 //     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
@@ -14647,6 +12907,135 @@ void decode(image_view<const typename Encoding::texel> texels, image_view<float>
 }
 
 }  // namespace umbrage
+
+// ---- umbrage/images/blocks/box_bounds.hpp
+// Least and greatest depth under boxes of texels, one number each for every place of a box.
+
+namespace umbrage::detail {
+
+/// For every place where a box may start, the bounds of the squares of texels that the box touches: at most `cells`
+/// squares of 2^level texels in a row.
+struct box_bounds {
+    int level, cells;
+    glm::ivec2 squares;             ///< of the map
+    glm::ivec2 last;                ///< of the starts, which begin cells - 1 squares in front of the map
+    unset_image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
+
+    /// @param width   of the box
+    template <class ParallelFor>
+    box_bounds(image_view<const float> map, int width, ParallelFor&& parallel)
+        : level(width < 9 ? 1 : 2),
+          cells(((1 << level) + width - 2) / (1 << level) + 1),
+          squares((map.size + ((1 << level) - 1)) >> level),
+          last(squares + (cells - 2)),
+          bounds({(last.x + block) / block * block, last.y + 1}) {
+        parallel(bounds.view.size.y, [&](int from, int to) {
+            const int before = cells - 1, columns = bounds.view.size.x;
+            const int plane = columns + (before + block) / block * block;
+            const auto row_size = static_cast<std::size_t>(2 * plane);
+            std::vector<std::int32_t> row(row_size + static_cast<std::size_t>(before));
+            std::vector<std::int32_t> rows(row_size * static_cast<std::size_t>(cells));  // of squares, the latest
+            const auto row_at = [&](int y) UMBRAGE_INLINE { return rows.data() + (y + before) % cells * 2 * plane; };
+            on_best_isa([&](auto) UMBRAGE_INLINE {
+                for (int y = from - before; y < to; ++y) {
+                    std::int32_t* const planes[]{row.data(), row.data() + plane};
+                    bounds_of_squares(map, clamp_int(y, squares.y - 1), planes);
+                    for (int x = 0; x < 2 * plane; x += block)
+                        widen(row_at(y) + x, [&](int k) UMBRAGE_INLINE { return row.data() + x + k; });
+                    if (y < from) continue;
+                    for (int x = 0; x < columns; x += block) {
+                        alignas(64) std::int32_t low[block], high[block];
+                        widen(low, [&](int k) UMBRAGE_INLINE { return row_at(y - k) + x; });
+                        widen(high, [&](int k) UMBRAGE_INLINE { return row_at(y - k) + plane + x; });
+                        glm::vec2* out = bounds.view.row(y) + x;
+                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(low[i]), from_order_key(~high[i])};
+                    }
+                }
+            });
+        });
+    }
+
+private:
+    static constexpr int deepest = 2;  ///< level
+
+    /// Of a row of squares: least depths and greatest, these as complements so that both are minima. Squares at the
+    /// border are repeated, as far as boxes reach.
+    UMBRAGE_INLINE void bounds_of_squares(const image_view<const float>& map, int y,
+                                          std::int32_t* const planes[2]) const {
+        for (int x = 0; x < squares.x; x += block) {
+            alignas(64) std::int32_t parts[2][block << deepest];
+            for (int i = 0; i < block << level; i += block)
+                bounds_of_columns(map, {(x << level) + i, y << level}, parts[0] + i, parts[1] + i);
+            for (int p = 0; p < 2; ++p) {
+                for (int left = block << level; left > block; left /= 2)
+                    for (int i = 0; i < left; i += 2 * block) halve(parts[p] + i, parts[p] + i / 2);
+                std::memcpy(planes[p] + cells - 1 + x, parts[p], sizeof(std::int32_t) * block);
+            }
+        }
+        for (int p = 0; p < 2; ++p) {
+            std::int32_t *const first = planes[p] + (cells - 1), *const end = first + squares.x;
+            fill(planes[p], std::size_t(cells - 1), *first);
+            fill(end, std::size_t(bounds.view.size.x - squares.x), end[-1]);
+        }
+    }
+
+    /// Over 2^level rows; the last row and column are repeated.
+    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, glm::ivec2 first, std::int32_t* low,
+                                          std::int32_t* high) const {
+        constexpr int rows = 1 << deepest;
+        alignas(64) float repeated[rows][block];
+        const float* depths[rows];
+        for (int k = 0; k < rows; ++k) {
+            const float* row = map.row(clamp_int(first.y + (k & ((1 << level) - 1)), map.size.y - 1));
+            depths[k] = row + first.x;
+            prefetch_bytes(depths[k], map.stride * (1 << level), block * sizeof(float));
+            if (first.x + block <= map.size.x) continue;
+            for (int i = 0; i < block; ++i) repeated[k][i] = row[clamp_int(first.x + i, map.size.x - 1)];
+            depths[k] = repeated[k];
+        }
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t a = order_key(depths[0][i]), b = order_key(depths[1][i]);
+            const std::int32_t c = order_key(depths[2][i]), d = order_key(depths[3][i]);
+            low[i] = least(least(a, b), least(c, d));
+            high[i] = ~greatest(greatest(a, b), greatest(c, d));
+        }
+    }
+
+    static UMBRAGE_INLINE void halve(const std::int32_t* pairs, std::int32_t* to) {
+        alignas(64) std::int32_t halves[block];
+        for (int i = 0; i < block; ++i) halves[i] = least(pairs[2 * i], pairs[2 * i + 1]);
+        std::memcpy(to, halves, sizeof halves);
+    }
+
+    /// to[i] = least of from(k)[i] over k < cells, for a block.
+    template <class From>
+    UMBRAGE_INLINE void widen(std::int32_t* to, const From& from) const {
+        alignas(64) std::int32_t best[block];
+        std::memcpy(best, from(0), sizeof best);
+        for (int k = 1; k < cells; ++k) {
+            const std::int32_t* other = from(k);
+            for (int i = 0; i < block; ++i) best[i] = least(best[i], other[i]);
+        }
+        std::memcpy(to, best, sizeof best);
+    }
+
+    static UMBRAGE_INLINE std::int32_t least(std::int32_t a, std::int32_t b) { return least_of{}(a, b); }
+    static UMBRAGE_INLINE std::int32_t greatest(std::int32_t a, std::int32_t b) { return greatest_of{}(a, b); }
+};
+
+/// Of filters that are known by their reach alone: texels whose centres lie so far from a receiver, an axis, and how
+/// many they can be.
+struct reached_texels {
+    int reach;  ///< in 1/256 texel
+    explicit reached_texels(float texels) : reach(-floor_int(-texels * 256.0f)) {}
+
+    [[nodiscard]] int count() const { return (2 * reach + 1) / 256 + 1; }
+    /// What is added to floor(256 coord), so that a 256th of it is the first of them.
+    [[nodiscard]] int before() const { return 127 - reach; }
+};
+
+}  // namespace umbrage::detail
 
 // ---- umbrage/images/filter_bounds.hpp
 // Bounds of the texels that a filter may touch, for bounds_lit: made once a map, a texture with a fourth of its texels,
@@ -15766,6 +14155,1631 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 }
 
 }  // namespace umbrage
+
+// ---- umbrage/images/blocks/form.hpp
+// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
+// none is called receiver by receiver.
+//
+// A form states what it needs of a map and the smallest width and height that it can take; with_blocks() hands its
+// blocks to `use`. Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs
+// floats, it gets const float_texels&. A form clamps texels to the map's edge; outside_map::lit is for visibility() to
+// see to, which asks the filter's reach().
+//
+// Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
+// where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
+// the row of pixels that the block lies in; its column is a multiple of 64. `count` receivers of a block are there:
+// loops go to `block` all the same, a number that compilers vectorise by, and what the rest gives is ignored. `Isa` is
+// the instruction set that the code is compiled for. Every function and lambda of it is UMBRAGE_INLINE: dispatch.hpp
+// says why.
+//
+// Blocks that leave work for later have a type `tile` with a number `rows`. They come tile by tile, so many above each
+// other; the second step gets the tile besides, and finish(tile, set) is called behind its last block, before results
+// are taken. hierarchical.hpp does so.
+//
+// unit/images/blocks/form and form/coherent hold each form to its filter, bit by bit.
+//
+//     template <>
+//     struct block_form<filters::pcf_2x2> {
+//         static constexpr map_need need = map_need::texels;
+//         static constexpr int least = 2;
+//         template <depth_direction Direction, class Map, class ParallelFor, class Use>
+//         static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+//             use(pcf_2x2_blocks<Direction, Map>{map});
+//         }
+//     };
+//
+
+namespace umbrage::detail {
+
+/// What the blocks of a filter read.
+enum class map_need {
+    texels,  ///< a few texels a receiver: as they are stored, where that has a fast form, or floats
+    floats,  ///< many: decoding each for each receiver would cost more than decoding the map once
+};
+
+template <class Filter>
+struct block_form;
+
+/// Of blocks that leave nothing for later: a row.
+struct one_row {
+    static constexpr int rows = 1;
+};
+template <class Blocks>
+struct tile_of {
+    using type = one_row;
+};
+template <class Blocks>
+requires requires { typename Blocks::tile; }
+struct tile_of<Blocks> {
+    using type = typename Blocks::tile;
+};
+
+template <class Filter>
+concept has_block_form = requires {
+    block_form<Filter>::need;
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/texels.hpp
+// Maps as blocks of receivers see them: floats, and the two channels of rg with any number of bits. What else there is
+// is decoded to floats first. A block's texels are loaded word by word, and compared in loops that vectorise.
+//
+//     umbrage::detail::loaded_texels<float_texels> texels(map);
+//     texels.load_one([&](int i) { return memory.at(offsets[i]); });
+//     lit += test::lit(texels.receiver(depth), texels.one(i));
+//
+
+namespace umbrage::detail {
+
+/// The comparison of a direction, in numbers and masks.
+template <depth_direction Direction>
+struct block_test {
+    static constexpr bool forward = Direction == depth_direction::forward;
+
+    /// 1 when lit. A NaN is not.
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t lit(float receiver, float stored) {
+        return forward ? is_lit(receiver, stored) : is_lit(stored, receiver);
+    }
+    /// Of texels whose depths lie between bounds, the lower a NaN where one is: whether all are lit; whether none is.
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t all_lit(float receiver, float least, float greatest) {
+        return forward ? is_lit(receiver, least) : is_lit(greatest, receiver) & is_lit(least, greatest);
+    }
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t none_lit(float receiver, float least, float greatest) {
+        return forward ? std::int32_t(receiver > greatest) : std::int32_t(receiver < least) & number_mask(least);
+    }
+    /// is_compared as a mask.
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t compared(float x, float y, float z) {
+        return texel_space_mask(x, y) & ~beyond_far_mask<forward>(z);
+    }
+};
+
+/// A map of floats.
+struct float_texels {
+    using texel = float;
+    image_view<const float> map;
+};
+
+/// A map of rg.
+struct rg_texels {
+    using texel = glm::u8vec2;
+    image_view<const glm::u8vec2> map;
+    int bits;
+    float edge;
+};
+
+/// Where a block of words comes from, at(i), and where it goes.
+template <class At>
+struct gathered {
+    void* to;
+    At at;
+};
+template <class At>
+gathered(void*, At) -> gathered<At>;
+
+/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once
+/// than they can hold.
+template <class Word, class... At>
+UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
+    const auto word = [](const void* from) UMBRAGE_INLINE {
+        Word w;
+        std::memcpy(&w, from, sizeof w);
+        return w;
+    };
+    using words = lanes_of<Word, 16 / sizeof(Word)>;
+    constexpr std::size_t some = sizeof(words) / sizeof(Word);
+    const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
+        const words together{word(from.at(i + static_cast<int>(I)))...};
+        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together,
+                    sizeof together);
+    };
+    for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
+}
+
+/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbours of two rows.
+template <class Map>
+struct loaded_texels;
+
+/// Floats need no decoding, and two of them are one word.
+template <>
+struct loaded_texels<float_texels> {
+    alignas(64) float depths[2 * block];
+    explicit loaded_texels(const float_texels&) {}
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        gather<std::uint32_t>(gathered{depths, at});
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint64_t>(gathered{low.depths, at}, gathered{high.depths, below});
+    }
+    UMBRAGE_INLINE float receiver(float depth) const { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^bits times the depth, which changes no
+/// result.
+template <>
+struct loaded_texels<rg_texels> {
+    static constexpr bool little = std::endian::native == std::endian::little;
+    static constexpr std::uint32_t low_bytes = 0x00FF00FF;
+    alignas(64) std::uint32_t words[block];
+    float edge, scale;
+    int up;  ///< bits - 8: the code is R + 2^up G
+    std::uint32_t high_bytes;
+
+    explicit UMBRAGE_INLINE loaded_texels(const rg_texels& map)
+        : edge(map.edge), scale(static_cast<float>(1 << map.bits)), up(map.bits - 8), high_bytes(low_bytes << up) {}
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, at(i), sizeof word);
+            words[i] = word;
+        }
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint32_t>(gathered{low.words, at}, gathered{high.words, below});
+    }
+    UMBRAGE_INLINE float receiver(float depth) const { return depth * scale; }
+    UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
+    UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
+    UMBRAGE_INLINE float second(int i) const { return number(little ? codes(i) >> 16 : codes(i) & 0xFFFF); }
+    /// R + 2^(bits - 8) G of both texels at once, in the two halves of a word.
+    UMBRAGE_INLINE std::uint32_t codes(int i) const {
+        const std::uint32_t w = words[i];
+        return little ? (w & low_bytes) + (w >> (8 - up) & high_bytes) : (w >> 8 & low_bytes) + ((w & low_bytes) << up);
+    }
+    UMBRAGE_INLINE float number(std::uint32_t code) const {
+        return static_cast<float>(static_cast<std::int32_t>(code)) + edge;
+    }
+};
+
+/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+template <class T>
+struct texel_bytes {
+    const std::byte* data;
+    std::int32_t stride;
+
+    explicit texel_bytes(const image_view<T>& map)
+        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+    static bool fits(const image_view<T>& map) {
+        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
+        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
+               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
+    }
+    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
+        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+    }
+    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
+    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
+};
+
+/// Texel inside the map, without the assertion of image_view.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE inline T* texel_at(const image_view<T>& map, std::int32_t x, std::int32_t y) {
+    return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
+}
+
+/// The last texel of a map that a receiver can ask for whose texels number less than `space`.
+[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
+
+/// Starts to fetch the texels of a block, of which neighbours mostly share a cache line. Where a block starts on
+/// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
+/// receivers come to that lie askew to the map.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
+    for (int row = -1; row <= rows; ++row)
+#pragma GCC unroll 4
+        for (int i = 0; i < block; i += 16)
+            prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
+}
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/map_tile.hpp
+// A copy of the part of a map that some receivers ask for. Rows of a map that lie a multiple of 2048 bytes apart share
+// their places in a first-level cache, which has few for each: high boxes push their own rows out of it. In a tile they
+// do not.
+//
+//     map_tile tile;
+//     if (map_tile::helps(map.stride, width) && map_tile::holds(first, last)) tile.copy(map, first, last);
+//
+
+namespace umbrage::detail {
+
+struct map_tile {
+    static constexpr int columns = 100, rows = 96;
+    float texels[rows][columns];
+
+    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
+    [[nodiscard]] static bool holds(glm::ivec2 first, glm::ivec2 last) {
+        return last.x - first.x < columns && last.y - first.y < rows;
+    }
+
+    /// @param last   texel of the map, which the tile must hold; at least eight columns
+    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
+        const int count = last.x - first.x + 1;
+        const auto eight = [](const float* from, float* to)
+                               UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
+        for (int y = first.y; y <= last.y; ++y) {
+            const float* from = texel_at(map, first.x, y);
+            float* to = texels[y - first.y];
+            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
+            eight(from + count - 8, to + count - 8);
+        }
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/receivers.hpp
+// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the
+// map, z depth, biased), three images of floats, or the depth image that a camera saw.
+//
+//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(clip_to_world, to_texels, size, clip), bias};
+//
+
+namespace umbrage {
+
+/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
+struct receiver_planes {
+    image_view<const float> x, y, depth;
+};
+
+/// Receivers as a camera's depth image.
+struct depth_receivers {
+    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
+    glm::mat4 matrix;               ///< receiver_matrix
+    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
+};
+
+/// The way from a camera's depth image to the shadow map.
+///
+/// @param clip_to_world    inverse of the camera's projection * view
+/// @param texture_matrix   world to texels of the map
+/// @param size             of the depth image in texels, each >= 1
+/// @param clip             the camera's convention
+/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
+///                         the camera; the product is taken in double
+/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
+template <class = detail::on_use>
+[[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                        glm::ivec2 size, clip_space clip) {
+    detail::require_given(clip, "receiver_matrix");
+    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
+    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    glm::dmat4 to_clip(1.0);
+    to_clip[0][0] = 2.0 / size.x;
+    to_clip[1][1] = up * 2.0 / size.y;
+    to_clip[3] = {-1.0, -up, 0.0, 1.0};
+    if (clip.range == depth_range::minus_one_to_one) {
+        to_clip[2][2] = 2.0;
+        to_clip[3][2] = -1.0;
+    }
+    const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+    detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
+                    "must give a finite matrix");
+    return m;
+}
+
+/// One receiver of a camera's depth image.
+/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
+/// @exactness     C, as project_coordinate
+template <class = detail::on_use>
+[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
+    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
+    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
+    return {p.x, p.y, p.z - seen.bias};
+}
+
+namespace detail {
+
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        fail("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/images/blocks/receivers.hpp
+// Blocks of 64 receivers, wherever they come from: x(i), y(i) in texels, z(i) depth.
+//
+//     use_receivers(receivers, walk, set, [&](const auto& of_block) { blocks.place(of_block, placed); });
+//
+
+namespace umbrage::detail {
+
+/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
+struct receiver_texels {
+    const glm::vec3* first;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
+};
+
+/// The same in three planes.
+struct receiver_rows {
+    const float *first_x, *first_y, *first_z;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
+};
+
+/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
+struct receiver_block {
+    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
+    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
+        xs[i] = x_at;
+        ys[i] = y_at;
+        zs[i] = depth;
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void copy(const Receivers& from) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
+    }
+};
+
+/// A walk over the blocks of some rows: tile by tile, each of so many rows, from the first up to `last`.
+struct block_walk {
+    int x, y, width;
+    int rows = 1, last = 0;  ///< which one row of blocks after the other need not know
+    int first = y;           ///< of the tile
+
+    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
+    [[nodiscard]] UMBRAGE_INLINE bool ends_tile() const { return y + 1 == first + rows || y + 1 == last; }
+    UMBRAGE_INLINE void step() {
+        if (!ends_tile()) ++y;
+        else if (x += block; x < width) y = first;
+        else x = 0, first = ++y;
+    }
+};
+
+/// Hands a block of receivers on: whole ones where they are, others as a copy.
+template <class Receivers, class Use>
+UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
+    if (count == block) return use(receivers);
+    receiver_block copy;
+    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa,
+                                         const Use& use) {
+    const receiver_texels receivers{from.row(at.y) + at.x};
+    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
+    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+    copy.copy(receivers);
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
+    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(),
+              use);
+}
+
+/// receiver_at for a block.
+template <class = on_use>
+inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
+    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
+        const float y = static_cast<float>(at.y) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
+            const auto sum = [&](glm::length_t k)
+                                 UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const float w = sum(3);
+            const auto bits = detail::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.zs[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
+    receiver_block r;
+    load(seen, at, r);
+    use(r);
+}
+
+/// Starts to fetch the receivers some blocks ahead, or of the next tile: hardware prefetching stops at the end of a
+/// page.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
+    const int bytes = block * static_cast<int>(sizeof(T)), blocks = at.rows == 1 ? 4 : 1;
+    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
+}
+UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
+    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
+}
+UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/box.hpp
+// The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
+//
+//     const box_rows<depth_direction::forward, 8, 0> rows(map.stride, 5);
+//     std::int32_t lit = rows.count(row, 0, receiver);
+//
+
+namespace umbrage::detail {
+
+/// Lit texels of boxes that lie inside a map at least as wide as a register.
+/// @tparam Lanes   of a register
+/// @tparam Whole   registers that a row of the box fills
+/// @tparam Width   of the box, 0 if not known here
+template <depth_direction Direction, int Lanes, int Whole, int Width = 0>
+struct box_rows {
+    using ints = lanes_of<std::int32_t, Lanes>;
+    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
+    std::ptrdiff_t stride;
+    int width;
+    std::int32_t
+        window[3 * std::size_t(Lanes)]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+
+    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
+        for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
+    }
+
+    /// @param row     first texel of the box
+    /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
+        ints lit;
+        std::int32_t sums[2];
+        count_lanes(row, moved, receiver, lit);
+        sum_two_lanes<Lanes>(lit, lit, sums);
+        return sums[0];
+    }
+
+    /// Of two boxes, which costs less than of each alone.
+    UMBRAGE_INLINE void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
+        ints first, second;
+        count_lanes(rows[0], 0, receivers[0], first);
+        count_lanes(rows[1], 0, receivers[1], second);
+        sum_two_lanes<Lanes>(first, second, counts);
+    }
+
+private:
+    UMBRAGE_INLINE void count_lanes(const std::byte* row, std::ptrdiff_t moved, float receiver, ints& lit) const {
+        lit = ints{};
+        ints rest{};
+        const auto add_row = [&]() UMBRAGE_INLINE {
+            const float* texels = reinterpret_cast<const float*>(row);
+            lanes_of<float, Lanes> stored;
+            ints lanes;
+            for (int i = 0; i < Whole; ++i) {
+                load_lanes(texels + i * Lanes, stored);
+                lit_lanes<Lanes, block_test<Direction>::forward>(receiver, stored, lanes);
+                lit -= lanes;
+            }
+            load_lanes(texels + Whole * Lanes - moved, stored);
+            lit_lanes<Lanes, block_test<Direction>::forward>(receiver, stored, lanes);
+            rest -= lanes;
+            row += stride;
+        };
+        if constexpr (Width > 0) {
+#pragma GCC unroll 8
+            for (int j = 0; j < Width; ++j) add_row();
+        } else
+            for (int j = 0; j < width; ++j) add_row();
+        ints wanted;
+        std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
+        lit += rest & wanted;
+    }
+};
+
+/// A map of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
+template <depth_direction Direction>
+struct box_blocks {
+    using test = block_test<Direction>;
+    template <int Lanes, int Whole, int Width = 0>
+    using rows = box_rows<Direction, Lanes, Whole, Width>;
+    struct placed {
+        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
+        alignas(64) std::int32_t inside[block], compared[block];
+        alignas(64) float z[block];
+        std::int32_t
+            all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
+    };
+    image_view<const float> map;
+    int radius;  ///< 0 .. max_box_radius
+
+    /// Of the texels that a receiver there asks for, along an axis.
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const { return floor_int(coord) - radius; }
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< of a box
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const { return side() + 7; }    ///< of a row, by registers of eight
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map);
+        const int before = radius, last_x = map.size.x - side(), last_y = map.size.y - side();
+        const int last_load = map.size.x - loaded();
+        std::int32_t plain = -1;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), at.compared[i])) - before;
+            const std::int32_t y = floor_int(masked(receivers.y(i), at.compared[i])) - before;
+            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = receivers.z(i);
+            const std::int32_t magnitude = detail::bit_cast<std::int32_t>(receivers.z(i)) & 0x7FFFFFFF;
+            const auto loads_inside = std::int32_t(x <= last_load), number = std::int32_t(magnitude <= 0x7F800000);
+            plain &= at.inside[i] & at.compared[i] & -(loads_inside & number);
+        }
+        at.all_plain = plain;
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : side());
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        out_of_line(set,
+                    [&](auto) UMBRAGE_INLINE { count_all<Isa::value == isa::base ? 4 : 8>(at, count, visibility); });
+    }
+
+private:
+    template <int Lanes>
+    UMBRAGE_INLINE void count_all(const placed& at, int count, float* visibility) const {
+        const int width = side();
+        if constexpr (Lanes == 8) {
+            if (width == 3) return count_with<rows<8, 0, 3>>(at, count, visibility);
+            if (width == 5) return count_with<rows<8, 0, 5>>(at, count, visibility);
+            if (width == 7) return count_with<rows<8, 0, 7>>(at, count, visibility);
+        }
+        if (width / Lanes == 0) return count_with<rows<Lanes, 0>>(at, count, visibility);
+        if (width / Lanes == 1) return count_with<rows<Lanes, 1>>(at, count, visibility);
+        if (width / Lanes == 2) return count_with<rows<Lanes, 2>>(at, count, visibility);
+        if constexpr (Lanes == 4) {
+            if (width / Lanes == 3) return count_with<rows<4, 3>>(at, count, visibility);
+            count_with<rows<4, 4>>(at, count, visibility);
+        }
+    }
+
+    template <class Boxes>
+    UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
+        const int width = side(), last_load = map.size.x - Boxes::reach;
+        const Boxes boxes(map.stride, width);
+        const texel_bytes memory(map);
+        alignas(64) std::int32_t lit[block]{};
+        if (at.all_plain)  // as nearly always
+            count_inside(boxes, at, count, lit);
+        else
+            for (int i = 0; i < count; ++i) {
+                if (is_nan(at.z[i]) || !at.compared[i]) continue;
+                const int moved = at.x[i] > last_load ? at.x[i] - last_load : 0;
+                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved, at.z[i])
+                                                        : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
+            }
+        const float scale = box_scale<float>(radius);
+        for (int i = 0; i < block; ++i)
+            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.compared[i], 1.0f,
+                                   static_cast<float>(lit[i]) * scale);
+    }
+
+    /// All 64 boxes lie inside the map, with what is loaded beside them.
+    template <class Boxes>
+    UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
+        const auto count_all = [&](const Boxes& of, const auto& row) UMBRAGE_INLINE {
+            for (int i = 0; i < count; i += 2) {  // a block is even
+                const std::byte* const starts[]{row(i), row(i + 1)};
+                of.count_two(starts, at.z + i, lit + i);
+            }
+        };
+        if (map_tile::helps(map.stride, side())) {
+            glm::ivec2 first(at.x[0], at.y[0]), last = first;
+            for (int i = 0; i < block; ++i) {
+                first.x = at.x[i] < first.x ? at.x[i] : first.x;
+                first.y = at.y[i] < first.y ? at.y[i] : first.y;
+                last.x = at.x[i] > last.x ? at.x[i] : last.x;
+                last.y = at.y[i] > last.y ? at.y[i] : last.y;
+            }
+            last += glm::ivec2(Boxes::reach - 1, 2 * radius);
+            if (map_tile::holds(first, last)) {
+                map_tile tile;
+                tile.copy(map, first, last);
+                return count_all(Boxes(sizeof tile.texels[0], side()), [&](int i) UMBRAGE_INLINE {
+                    return reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]);
+                });
+            }
+        }
+        const texel_bytes memory(map);
+        count_all(boxes, [&](int i) UMBRAGE_INLINE { return memory.data + at.offsets[i]; });
+    }
+
+    /// The same from a copy of the box, the map's border texels repeated.
+    template <class Boxes>
+    std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
+        constexpr int widest = 2 * max_box_radius + 1;
+        float texels[widest][Boxes::reach > widest ? Boxes::reach : widest]{};
+        for (int j = 0; j < width; ++j) {
+            const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
+            for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
+        }
+        return Boxes(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
+    }
+};
+
+template <>
+struct block_form<filters::box> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::box& filter, ParallelFor&&, const Use& use) {
+        use(box_blocks<Direction>{map.map, clamp_int(filter.radius, max_box_radius)});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/disc.hpp
+// Discs over blocks of receivers: the turned points of a row of pixels are looked up, not turned again. All texels near
+// a receiver are compared at once, a row of them in a register, where that is less work than point after point.
+
+namespace umbrage::detail {
+
+/// Taps of a disc in 1/256 texel from the receiver, for each row of 4 x 4 pixels' turns and each pixel of a block.
+struct disc_table {
+    struct tap {
+        alignas(64) std::int32_t x[block], y[block];
+        alignas(64) std::uint32_t packed[block];
+    };
+    std::vector<std::array<tap, 32>> of;
+    int farthest = 0;  ///< along an axis
+
+    /// Both in one word, sums of them from 0 to 2047: x is at the top, where what it borrows and carries is lost.
+    static UMBRAGE_INLINE std::uint32_t pack(std::int32_t x, std::int32_t y) {
+        return (static_cast<std::uint32_t>(x) << 21) + static_cast<std::uint32_t>(y);
+    }
+
+    template <class = on_use>
+    disc_table(const disc_point* points, int count, float radius) : of(16) {
+        const auto rho = static_cast<int>(disc_radius(radius));
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 4; ++x) {
+                const glm::ivec2 turn(disc_turn(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
+                for (int p = 0; p < count; ++p) {
+                    const disc_point point = points[p];
+                    tap& taps = of[static_cast<std::size_t>(y)][static_cast<std::size_t>(p)];
+                    const int right = (turn.x * point.x - turn.y * point.y) * rho >> 6;
+                    const int up = (turn.y * point.x + turn.x * point.y) * rho >> 6;
+                    for (const int way : {right, -right, up, -up}) farthest = way > farthest ? way : farthest;
+                    for (int i = x; i < block; i += 4) {
+                        taps.x[i] = right;
+                        taps.y[i] = up;
+                        taps.packed[i] = pack(right, up);
+                    }
+                }
+            }
+    }
+};
+
+template <depth_direction Direction>
+struct disc_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        alignas(64) std::int32_t x[block], y[block], compared[block];  ///< in 1/256 texel
+        alignas(64) float z[block];
+        int row;  ///< of the table
+    };
+    image_view<const float> map;
+    const disc_table& taps;
+    int points, rows;  ///< of the map, before and behind a receiver's
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
+        const texel_bytes memory(map);
+        const int last_x = map.size.x - 1, last_y = map.size.y - 1 - rows;
+        alignas(64) std::int32_t offsets[block];
+        locate(receivers, at, pixel_y);
+        for (int i = 0; i < block; ++i)
+            offsets[i] = memory.offset(clamp_int(at.x[i] >> 8, last_x), clamp_int((at.y[i] >> 8) - rows, last_y));
+        prefetch(memory, offsets, 2 * rows);
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void locate(const Receivers& receivers, placed& at, int pixel_y) const {
+        at.row = pixel_y & 15;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            at.x[i] = floor_int(masked(receivers.x(i), at.compared[i]) * 256.0f);
+            at.y[i] = floor_int(masked(receivers.y(i), at.compared[i]) * 256.0f);
+            at.z[i] = receivers.z(i);
+        }
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
+        if constexpr (Isa::value != isa::base) {
+            near_texels texels;
+            if (points >= 2 * near_rows && find_near(at, texels))
+                return out_of_line(set, [&](auto) UMBRAGE_INLINE {
+                    count_near<Isa::value == isa::avx512 ? 16 : 8>(at, texels, visibility);
+                });
+        }
+        out_of_line(set, [&](auto) UMBRAGE_INLINE { count_all(at, visibility); });
+    }
+
+private:
+    static constexpr int near_before = 3, near_rows = 7, near_columns = 8;
+    struct near_texels {
+        alignas(64) std::int32_t offsets[block];                           ///< of the first
+        alignas(64) std::uint32_t from[block];                             ///< there to the receiver, packed
+        alignas(64) std::uint32_t upper[block], lower[block], lit[block];  ///< bits of four rows each
+    };
+
+    /// @return   whether all points fall on them, and all of them lie in the map
+    UMBRAGE_INLINE bool find_near(const placed& at, near_texels& texels) const {
+        const texel_bytes memory(map);
+        const int last_x = map.size.x - near_columns, last_y = map.size.y - near_rows;
+        if (last_x < 0 || last_y < 0 || taps.farthest > near_before * 256) return false;
+        std::int32_t all = -1;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = (at.x[i] >> 8) - near_before, y = (at.y[i] >> 8) - near_before;
+            const std::int32_t inside = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            texels.offsets[i] = memory.offset(x & inside, y & inside);
+            texels.from[i] = disc_table::pack((at.x[i] & 255) + near_before * 256, (at.y[i] & 255) + near_before * 256);
+            all &= inside | ~at.compared[i];
+        }
+        return all != 0;
+    }
+
+    template <int Lanes>
+    UMBRAGE_INLINE void count_near(const placed& at, near_texels& texels, float* visibility) const {
+        for (int i = 0; i < block; ++i) compare_near(at.z[i], texels.offsets[i], texels.upper[i], texels.lower[i]);
+        const auto& row = taps.of[static_cast<std::size_t>(at.row)];
+        for (int i = 0; i < block; i += Lanes) {
+            lanes_of<std::uint32_t, Lanes> from, upper, lower, tap, lit{};
+            load_lanes(texels.from + i, from);
+            load_lanes(texels.upper + i, upper);
+            load_lanes(texels.lower + i, lower);
+            // Bit 4 y + x of columns 0 to 3, and of 4 to 7: there are seven rows, none is lost.
+            const auto left = (upper & 0xFFFF) | lower << 16;
+            const auto right = (upper >> 16 | (lower & 0xFFFF0000)) << 4;
+            for (int p = 0; p < points; ++p) {
+                load_lanes(row[static_cast<std::size_t>(p)].packed + i, tap);
+                tap += from;
+                const auto on_right = reinterpret_cast<lanes_of<std::int32_t, Lanes>>(tap) < 0;
+                lit += (on_right ? right : left) >> ((tap >> 6 & 28) + (tap >> 29)) & 1;
+            }
+            store_lanes(lit, texels.lit + i);
+        }
+        take_share(at, texels.lit, visibility);
+    }
+
+    /// Which texels are lit, as mask_bits of rows 0 to 3 and of 4 to 6.
+    UMBRAGE_INLINE void compare_near(float receiver, std::int32_t offset, std::uint32_t& upper,
+                                     std::uint32_t& lower) const {
+        const texel_bytes memory(map);
+        const std::byte* from = memory.data + offset;
+        lanes_of<std::int32_t, near_columns> lit[8]{};
+        lanes_of<float, near_columns> texels;
+#pragma GCC unroll 7
+        for (int y = 0; y < near_rows; ++y, from += memory.stride) {
+            load_lanes(from, texels);
+            lit_lanes<near_columns, test::forward>(receiver, texels, lit[y]);
+        }
+        upper = mask_bits(lit);
+        lower = mask_bits(lit + 4);
+    }
+
+    UMBRAGE_INLINE void count_all(const placed& at, float* visibility) const {
+        const float_texels of_map{map};
+        const texel_bytes memory(map);
+        const int last_x = map.size.x - 1, last_y = map.size.y - 1;
+        loaded_texels<float_texels> texels(of_map);
+        alignas(64) std::int32_t offsets[block];
+        alignas(64) std::uint32_t lit[block]{};
+        for (int p = 0; p < points; ++p) {
+            const disc_table::tap& tap = taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
+            for (int i = 0; i < block; ++i)
+                offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
+                                           clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
+            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            for (int i = 0; i < block; ++i) lit[i] += static_cast<std::uint32_t>(test::lit(at.z[i], texels.one(i)));
+        }
+        take_share(at, lit, visibility);
+    }
+
+    UMBRAGE_INLINE void take_share(const placed& at, const std::uint32_t* lit, float* visibility) const {
+        const float share = points == 8 ? 1.0f / 8.0f : (points == 16 ? 1.0f / 16.0f : 1.0f / 32.0f);
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t count = static_cast<std::int32_t>(lit[i]) & number_mask(at.z[i]);
+            visibility[i] = select(at.compared[i], static_cast<float>(count) * share, 1.0f);
+        }
+    }
+};
+
+template <>
+struct block_form<filters::rotated_disc> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, ParallelFor&&,
+                            const Use& use) {
+        const disc_table taps(points_of_disc(filter.points).begin(), filter.points, filter.radius_texels);
+        use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/hard.hpp
+// The unfiltered test over blocks of receivers, and the tap that it shares with other filters.
+
+namespace umbrage::detail {
+
+/// Taps that are receivers' own texels, clamped to the map: floor(coord + offset), as four taps have it. That is not
+/// floor(coord) + offset where the sum rounds up to a whole number: filters over neighbours move the texel instead.
+struct placed_tap {
+    alignas(64) std::int32_t offsets[block];
+
+    /// @param space   texels that a receiver can ask for, in each direction
+    template <class T>
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset, int space) {
+        const texel_bytes memory(map);
+        const auto last_x = static_cast<float>(last_in_space(map.size.x, space)),
+                   last_y = static_cast<float>(last_in_space(map.size.y, space));
+        for (int i = 0; i < block; ++i)
+            offsets[i] = memory.offset(floor_within(receivers.x(i) + offset.x, last_x),
+                                       floor_within(receivers.y(i) + offset.y, last_y));
+        prefetch(memory, offsets, 1);
+    }
+
+    /// Adds 1 for each receiver that is lit.
+    template <class Test, class Map>
+    UMBRAGE_INLINE void count(const Map& map, const float* z, std::int32_t* lit) const {
+        const texel_bytes memory(map.map);
+        loaded_texels<Map> texels(map);
+        texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+        for (int i = 0; i < block; ++i) lit[i] += Test::lit(texels.receiver(z[i]), texels.one(i));
+    }
+};
+
+template <depth_direction Direction, class Map>
+struct hard_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        receiver_block r;
+        placed_tap tap;
+        alignas(64) std::int32_t compared[block];
+    };
+    Map map;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        at.tap.place(map.map, at.r, glm::vec2(0.0f), 1 << 15);
+        for (int i = 0; i < block; ++i) at.compared[i] = test::compared(at.r.x(i), at.r.y(i), at.r.z(i));
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        alignas(64) std::int32_t lit[block]{};
+        at.tap.template count<test>(map, at.r.zs, lit);
+        for (int i = 0; i < block; ++i)
+            visibility[i] = static_cast<float>((lit[i] & at.compared[i]) | (1 & ~at.compared[i]));
+    }
+};
+
+template <>
+struct block_form<filters::hard> {
+    static constexpr map_need need = map_need::texels;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class Map, class ParallelFor, class Use>
+    static void with_blocks(const Map& map, const filters::hard&, ParallelFor&&, const Use& use) {
+        use(hard_blocks<Direction, Map>{map});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/four_tap.hpp
+// Four taps over blocks of receivers.
+
+namespace umbrage::detail {
+
+template <depth_direction Direction, class Map>
+struct four_tap_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        receiver_block r;
+        placed_tap taps[4];
+        alignas(64) std::int32_t compared[block];
+    };
+    static constexpr int space = 1 << 17;  // of the four taps' sum
+    Map map;
+    std::array<glm::vec2, 4> offsets;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        for (std::size_t tap = 0; tap < 4; ++tap) at.taps[tap].place(map.map, at.r, offsets[tap], space);
+        for (int i = 0; i < block; ++i) {
+            std::int32_t x = 0, y = 0;
+            for (const glm::vec2& offset : offsets) {
+                x += floor_magnitude(at.r.x(i) + offset.x, float(space));
+                y += floor_magnitude(at.r.y(i) + offset.y, float(space));
+            }
+            at.compared[i] = x < space && y < space ? ~beyond_far_mask<test::forward>(at.r.z(i)) : 0;
+        }
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        alignas(64) std::int32_t lit[block]{};
+        for (const placed_tap& tap : at.taps) tap.template count<test>(map, at.r.zs, lit);
+        for (int i = 0; i < block; ++i)
+            visibility[i] = static_cast<float>((lit[i] & at.compared[i]) | (4 & ~at.compared[i])) * 0.25f;
+    }
+};
+
+template <>
+struct block_form<filters::four_tap> {
+    static constexpr map_need need = map_need::texels;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class Map, class ParallelFor, class Use>
+    static void with_blocks(const Map& map, const filters::four_tap& filter, ParallelFor&&, const Use& use) {
+        use(four_tap_blocks<Direction, Map>{map, filter.offsets});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/window.hpp
+// Sliding windows over blocks of receivers, for any row of weights: a register holds a row of the window's texels, each
+// row adds its weight to the lanes that are lit, and the columns' weights are taken last.
+
+namespace umbrage::detail {
+
+/// window_weights for all that a window can have moved; 0 beside it.
+struct window_table {
+    alignas(64) float of[256][16]{};
+
+    explicit window_table(const window_row& row) {
+        for (int moved = 0; moved < 256; ++moved) window_weights(row, moved, of[moved]);
+    }
+};
+
+template <depth_direction Direction>
+struct window_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the window
+        alignas(64) std::int32_t moved_x[block], moved_y[block], inside[block], compared[block];
+        alignas(64) float z[block];
+        std::int32_t all_inside;  ///< all bits if registers can be loaded for every window
+    };
+    image_view<const float> map;
+    const window_row& row;
+    const window_table& weights;
+
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< of a window
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const {                        ///< of a row of texels
+        return row.touched() > 8 ? 16 : (row.touched() > 4 ? 8 : 4);
+    }
+
+    /// Of the texels that a receiver there asks for, along an axis.
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const {
+        return ((floor_int(coord * 256.0f) - (row.size % 2 ? 128 : 0)) >> 8) - row.size / 2;
+    }
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map);
+        const int before = row.size / 2, half = row.size % 2 ? 128 : 0;
+        const int last_x = map.size.x - loaded(), last_y = map.size.y - row.touched();
+        std::int32_t all = -1;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            const std::int32_t right = floor_int(masked(receivers.x(i), at.compared[i]) * 256.0f) - half;
+            const std::int32_t up = floor_int(masked(receivers.y(i), at.compared[i]) * 256.0f) - half;
+            const std::int32_t x = (right >> 8) - before, y = (up >> 8) - before;
+            at.moved_x[i] = right & 255;
+            at.moved_y[i] = up & 255;
+            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = receivers.z(i);
+            all &= at.inside[i];
+        }
+        at.all_inside = all;
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : row.touched());
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        out_of_line(set,
+                    [&](auto) UMBRAGE_INLINE { weigh_all<Isa::value == isa::base ? 4 : 8>(at, count, visibility); });
+    }
+
+private:
+    template <int Lanes>
+    UMBRAGE_INLINE void weigh_all(const placed& at, int count, float* visibility) const {
+        alignas(64) float sums[block]{};
+        if (map.size.x >= loaded() && map.size.y >= row.touched()) {
+            if (Lanes == 8 && row.touched() == 4) weigh_inside<4, 1, 4>(at, count, sums);
+            else if (row.touched() <= 4) weigh_inside<4, 1>(at, count, sums);
+            else if (row.touched() <= 8) weigh_inside<Lanes, 8 / Lanes>(at, count, sums);
+            else weigh_inside<Lanes, 16 / Lanes>(at, count, sums);
+        }
+        if (!at.all_inside)
+            for (int i = 0; i < count; ++i)
+                if (at.compared[i] & ~at.inside[i]) sums[i] = weigh_at_border(at, i);
+        const float whole = row.whole * row.whole, scale = row.scale;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const float sum = masked(sums[i], number_mask(at.z[i]));
+            visibility[i] = select(~at.compared[i] | -std::int32_t(sum == whole), 1.0f, sum * scale);
+        }
+    }
+
+    /// Four rows of four texels, two in a register.
+    UMBRAGE_INLINE void weigh_four_rows(const std::byte* texels, std::ptrdiff_t stride, float receiver,
+                                        const float* rows, const float* columns, lanes_of<float, 4>& sum) const {
+        lanes_of<float, 4> upper, lower, weights_of_rows;
+        lanes_of<float, 8> two_rows, first, second;
+        lanes_of<std::int32_t, 8> mask;
+        const auto keep_lit = [&](const std::byte* from, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
+            load_lanes(from, upper);
+            load_lanes(from + stride, lower);
+            shuffle<0, 1, 2, 3, 4, 5, 6, 7>(upper, lower, two_rows);
+            lit_lanes<8, test::forward>(receiver, two_rows, mask);
+            keep_where<8>(mask, weight);
+        };
+        load_lanes(rows, weights_of_rows);
+        shuffle<0, 0, 0, 0, 1, 1, 1, 1>(weights_of_rows, weights_of_rows, first);
+        shuffle<2, 2, 2, 2, 3, 3, 3, 3>(weights_of_rows, weights_of_rows, second);
+        keep_lit(texels, first);
+        keep_lit(texels + 2 * stride, second);
+        first += second;
+        shuffle<0, 1, 2, 3>(first, first, upper);
+        shuffle<4, 5, 6, 7>(first, first, lower);
+        load_lanes(columns, sum);
+        sum = (upper + lower) * sum;
+    }
+
+    /// All of them: those that are not inside weigh the map's first texels.
+    template <int Lanes, int Registers, int Rows = 0>
+    UMBRAGE_INLINE void weigh_inside(const placed& at, int count, float* sums) const {
+        const texel_bytes memory(map);
+        const int touched = row.touched();
+        const auto weigh = [&](int i, lanes_of<float, 4>& sum) UMBRAGE_INLINE {
+            const float *rows = weights.of[at.moved_y[i]], *columns = weights.of[at.moved_x[i]];
+            if constexpr (Rows == 4)
+                return weigh_four_rows(memory.data + at.offsets[i], memory.stride, at.z[i], rows, columns, sum);
+            sum = lanes_of<float, 4>{};
+#pragma GCC unroll 4
+            for (int r = 0; r < Registers; ++r) {
+                const std::byte* from = memory.data + at.offsets[i] + std::size_t(r) * Lanes * sizeof(float);
+                lanes_of<float, Lanes> lit{}, texels;
+                lanes_of<std::int32_t, Lanes> mask;
+                for (int j = 0; j < touched; ++j) {
+                    load_lanes(from, texels);
+                    lit_lanes<Lanes, test::forward>(at.z[i], texels, mask);
+                    add_where<Lanes>(mask, rows[j], lit);
+                    from += memory.stride;
+                }
+                load_lanes(columns + r * Lanes, texels);
+                add_products<Lanes>(lit, texels, sum);
+            }
+        };
+        for (int i = 0; i < count; i += 4) {  // a block is a multiple of four
+            lanes_of<float, 4> a, b, c, d, four;
+            weigh(i, a);
+            weigh(i + 1, b);
+            weigh(i + 2, c);
+            weigh(i + 3, d);
+            sum_four_lanes(a, b, c, d, four);
+            store_lanes(four, sums + i);
+        }
+    }
+
+    [[nodiscard]] float weigh_at_border(const placed& at, int i) const {
+        const float *columns = weights.of[at.moved_x[i]], *rows = weights.of[at.moved_y[i]];
+        float sum = 0.0f;
+        for (int j = 0; j < row.touched(); ++j) {
+            const float* texels = texel_at(map, 0, clamp_int(at.y[i] + j, map.size.y - 1));
+            for (int k = 0; k < row.touched(); ++k)
+                if (test::lit(at.z[i], texels[clamp_int(at.x[i] + k, map.size.x - 1)])) sum += rows[j] * columns[k];
+        }
+        return sum;
+    }
+};
+
+template <>
+struct block_form<filters::window> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::window& filter, ParallelFor&&, const Use& use) {
+        const window_table weights(filter.row);
+        use(window_blocks<Direction>{map.map, filter.row, weights});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/hierarchical.hpp
+// Filters over many texels for receivers most of which are wholly lit or wholly in shadow: those ask one number for all
+// of them. visibility() does it for filters::hierarchical_box, hierarchical_window and hierarchical_disc, which give
+// bit for bit what filters::box, window and rotated_disc do.
+//
+//     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
+//
+
+namespace umbrage::detail {
+
+/// A block of which no receiver is compared, as all over the sky.
+UMBRAGE_INLINE inline void light_all(float* visibility) {
+    for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
+}
+
+/// What bounds say of a block: lit or dark, and which receivers are open, as their texels differ.
+/// @return   whether any is open: not 0
+template <class Test>
+UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std::int32_t* offsets,
+                                              const std::int32_t* compared, const float* depths, float* visibility,
+                                              std::int32_t* open) {
+    const texel_bytes<const glm::vec2> memory(tree.bounds.view);
+    alignas(64) glm::vec2 bounds[block];
+    std::int32_t any = 0;
+    gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
+    for (int i = 0; i < block; ++i) {
+        const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
+        const std::int32_t dark = Test::none_lit(depths[i], bounds[i].x, bounds[i].y);
+        visibility[i] = select(-lit | ~compared[i], 1.0f, 0.0f);
+        open[i] = compared[i] & ~-(lit | dark);
+        any |= open[i];
+    }
+    return any;
+}
+
+/// The open receivers of a tile of 64 x 8. They lie close to each other, so that one copy of the map serves them all,
+/// and fill their blocks, which those of a row alone do not.
+struct open_receivers {
+    static constexpr int rows = 8, room = rows * block;
+    alignas(64) float xs[room], ys[room], zs[room];
+    float* visibility[room];
+    int count = 0;
+    map_tile texels;
+
+    UMBRAGE_INLINE void add(const receiver_block& r, const std::int32_t* open, int of, float* out) {
+        const auto word = [](float& to, const float& from)
+                              UMBRAGE_INLINE { std::memcpy(&to, &from, sizeof to); };  // more a cycle than floats
+        int end = count;
+        for (int i = 0; i < of; ++i) {
+            word(xs[end], r.xs[i]);
+            word(ys[end], r.ys[i]);
+            word(zs[end], r.zs[i]);
+            visibility[end] = out + i;
+            end -= open[i];
+        }
+        count = end;
+    }
+
+    /// Copies behind them: if all boxes of a block are in the map, none needs care.
+    UMBRAGE_INLINE void fill_last_block() {
+        for (int i = count; i % block != 0; ++i) xs[i] = xs[0], ys[i] = ys[0], zs[i] = zs[0];
+    }
+};
+
+/// @tparam Blocks   of the filter that reads every texel of its box
+template <class Blocks>
+struct hierarchical_blocks {
+    using test = typename Blocks::test;
+    using tile = open_receivers;
+    struct placed {
+        receiver_block r;
+        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< of those that are compared
+    };
+    const box_bounds& tree;
+    Blocks every_texel;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
+        const int before = tree.cells - 1, level = tree.level;
+        const glm::ivec2 last = tree.last;
+        std::int32_t any = 0;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            any |= at.compared[i];
+        }
+        at.any = any;
+        if (!any) return;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = every_texel.first(masked(at.r.x(i), at.compared[i]));
+            const std::int32_t y = every_texel.first(masked(at.r.y(i), at.compared[i]));
+            at.offsets[i] =
+                memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+        }
+        prefetch(memory, at.offsets, 1);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, tile& later, Isa) const {
+        alignas(64) std::int32_t open[block];
+        if (!at.any) return light_all(visibility);
+        if (ask_bounds<test>(tree, at.offsets, at.compared, at.r.zs, visibility, open))
+            later.add(at.r, open, count, visibility);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void finish(tile& later, Isa set) const {
+        if (later.count > 0) out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(later, set); });
+    }
+
+private:
+    template <class Isa>
+    UMBRAGE_INLINE void count_open(tile& open, Isa set) const {
+        Blocks reads = every_texel;
+        open.fill_last_block();
+        if (map_tile::helps(reads.map.stride, reads.side())) read_copy(open, reads.map);
+        alignas(64) float shares[block];
+        typename Blocks::placed boxes;
+        for (int from = 0; from < open.count; from += block) {
+            const int count = lesser(open.count - from, block);
+            reads.place(receiver_rows{open.xs + from, open.ys + from, open.zs + from}, boxes);
+            reads(boxes, count, shares, set);
+            for (int i = 0; i < count; ++i) *open.visibility[from + i] = shares[i];
+        }
+        open.count = 0;
+    }
+
+    /// Makes the map a copy of the texels that receivers ask for, and these relative to it, where they all fit.
+    UMBRAGE_INLINE void read_copy(tile& open, image_view<const float>& map) const {
+        glm::ivec2 first(every_texel.first(open.xs[0]), every_texel.first(open.ys[0])), last = first;
+        for (int from = 0; from < open.count; from += block)
+            for (int i = from; i < from + block; ++i) {
+                const glm::ivec2 at(every_texel.first(open.xs[i]), every_texel.first(open.ys[i]));
+                first = {lesser(first.x, at.x), lesser(first.y, at.y)};
+                last = {greater(last.x, at.x), greater(last.y, at.y)};
+            }
+        last += glm::ivec2(every_texel.loaded(), every_texel.side()) - 1;
+        if (!map_tile::holds(first, last)) return;
+        if (first.x < 0 || first.y < 0 || last.x >= map.size.x || last.y >= map.size.y) return;
+        open.texels.copy(map, first, last);
+        map = {open.texels.texels[0], last - first + 1, sizeof open.texels.texels[0]};
+        const glm::vec2 moved(first);
+        for (int from = 0; from < open.count; from += block)
+            for (int i = from; i < from + block; ++i) open.xs[i] -= moved.x, open.ys[i] -= moved.y;
+    }
+};
+
+/// Turns go by the place in a block: one that has an open receiver is looked up whole.
+template <depth_direction Direction>
+struct hierarchical_disc_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        typename disc_blocks<Direction>::placed points;
+        alignas(64) std::int32_t offsets[block], any;
+    };
+    const box_bounds& tree;
+    const disc_blocks<Direction>& every_point;
+    reached_texels reached;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
+        const int before = tree.cells - 1, shift = 8 + tree.level, ahead = reached.before();
+        const glm::ivec2 last = tree.last;
+        every_point.locate(receivers, at.points, pixel_y);
+        at.any = 0;
+        for (int i = 0; i < block; ++i) at.any |= at.points.compared[i];
+        if (!at.any) return;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i)
+            at.offsets[i] = memory.offset(clamp_int(((at.points.x[i] + ahead) >> shift) + before, last.x),
+                                          clamp_int(((at.points.y[i] + ahead) >> shift) + before, last.y));
+        prefetch(memory, at.offsets, 1);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        alignas(64) std::int32_t open[block];
+        if (!at.any) return light_all(visibility);
+        if (ask_bounds<test>(tree, at.offsets, at.points.compared, at.points.z, visibility, open))
+            every_point(at.points, count, visibility, set);
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_box> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_box& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        const box_blocks<Direction> every_texel{map.map, clamp_int(filter.radius, max_box_radius)};
+        if (map.map.size.x < block) return use(every_texel);  // bounds come in whole blocks: they would outgrow the map
+        const box_bounds tree(map.map, 2 * every_texel.radius + 1, parallel);
+        use(hierarchical_blocks<box_blocks<Direction>>{tree, every_texel});
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_window> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_window& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        const window_table weights(filter.row);
+        const window_blocks<Direction> every_texel{map.map, filter.row, weights};
+        if (map.map.size.x < block) return use(every_texel);
+        const box_bounds tree(map.map, filter.row.touched(), parallel);
+        use(hierarchical_blocks<window_blocks<Direction>>{tree, every_texel});
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_disc> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_disc& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        using plain = block_form<filters::rotated_disc>;
+        plain::with_blocks<Direction>(map, filter, parallel, [&](const disc_blocks<Direction>& every_point) {
+            if (map.map.size.x < block) return use(every_point);
+            const reached_texels reached(filter.reach());
+            const box_bounds tree(map.map, reached.count(), parallel);
+            use(hierarchical_disc_blocks<Direction>{tree, every_point, reached});
+        });
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/pcf_2x2.hpp
+// Bilinear 2x2 percentage-closer filtering over blocks of receivers.
+
+namespace umbrage::detail {
+
+/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
+/// same, so that both neighbours are in the map and one load gets them.
+template <depth_direction Direction, class Map>
+struct pcf_2x2_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        alignas(64) std::int32_t offsets[block], compared[block];
+        alignas(64) float hi_x[block], hi_y[block], z[block];
+    };
+    Map map;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map.map);
+        constexpr int space = (1 << 15) + 1;  // a receiver in it may ask for the texel beyond
+        const int last_x = last_in_space(map.map.size.x, space), last_y = last_in_space(map.map.size.y, space);
+        const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
+            const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
+            const std::int32_t here = position >> 8, last_pair = last - 1;
+            const std::int32_t texel = here < last_pair ? here : last_pair;
+            hi = static_cast<float>(position - texel * 256);
+            return texel;
+        };
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const float x = receivers.x(i), y = receivers.y(i), z = receivers.z(i);
+            at.compared[i] = test::compared(x, y, z);
+            at.offsets[i] = memory.offset(axis(x, last_x, at.hi_x[i]), axis(y, last_y, at.hi_y[i]));
+            at.z[i] = z;
+        }
+        prefetch(memory, at.offsets, 2);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        const texel_bytes memory(map.map);
+        loaded_texels<Map> low(map), high(map);
+        loaded_texels<Map>::load_two(
+            low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }, high,
+            [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
+        for (int i = 0; i < block; ++i) {
+            const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
+            const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
+                return masked(lo_x, -test::lit(z, row.first(i))) + masked(at.hi_x[i], -test::lit(z, row.second(i)));
+            };
+            const float sum = lo_y * weigh(low) + at.hi_y[i] * weigh(high);
+            visibility[i] = select(at.compared[i], sum * (1.0f / 65536.0f), 1.0f);
+        }
+    }
+};
+
+template <>
+struct block_form<filters::pcf_2x2> {
+    static constexpr map_need need = map_need::texels;
+    static constexpr int least = 2;
+    template <depth_direction Direction, class Map, class ParallelFor, class Use>
+    static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+        use(pcf_2x2_blocks<Direction, Map>{map});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/soft.hpp
+// Contact hardening over blocks of receivers: discs as in disc.hpp, with a radius for each receiver.
+
+namespace umbrage::detail {
+
+/// floor(a / b); 0 <= a < 2^24, 1 <= b, as floor_divide.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t divide_int(std::int32_t a, std::int32_t b) {
+    auto q = static_cast<std::int32_t>(static_cast<float>(a) / static_cast<float>(b));
+    q -= std::int32_t(q * b > a);
+    return q + std::int32_t((q + 1) * b <= a);
+}
+
+/// @tparam Filter   filters::pcss or filters::dpcf
+template <depth_direction Direction, class Filter>
+struct soft_blocks : disc_blocks<Direction> {
+    using discs = disc_blocks<Direction>;
+    using test = typename discs::test;
+    using placed = typename discs::placed;
+    static constexpr std::int32_t far_code = 65535;
+    static constexpr bool filters_again = std::is_same_v<Filter, filters::pcss>;
+
+    float per_code;
+    std::int32_t least, widest;
+
+    /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
+    static disc_table turned_points(const Filter& filter) {
+        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
+    }
+    soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
+        : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
+          per_code(filter.softness.per_code),
+          least(static_cast<std::int32_t>(filter.softness.least)),
+          widest(static_cast<std::int32_t>(filter.softness.widest)) {}
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
+        out_of_line(set, [&](auto) UMBRAGE_INLINE { soften(at, visibility); });
+    }
+
+private:
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t distance_code_of(float depth) {
+        const std::int32_t number = number_mask(depth), x = floor_within(depth * 65536.0f, 65535.0f);
+        return ((test::forward ? x : far_code - x) & number) | (far_code & ~number);
+    }
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t radius(std::int32_t apart) const {
+        const std::int32_t r = floor_int(static_cast<float>(apart) * per_code);
+        const std::int32_t above = r > least ? r : least;
+        return above < widest ? above : widest;
+    }
+
+    /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.
+    template <class Use>
+    UMBRAGE_INLINE void for_each_tap(const placed& at, const std::int32_t* radii, const Use& use) const {
+        const float_texels of_map{this->map};
+        const texel_bytes memory(this->map);
+        const int last_x = this->map.size.x - 1, last_y = this->map.size.y - 1;
+        loaded_texels<float_texels> texels(of_map);
+        alignas(64) std::int32_t offsets[block];
+        for (int p = 0; p < this->points; ++p) {
+            const disc_table::tap& tap = this->taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
+            for (int i = 0; i < block; ++i)
+                offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
+                                           clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
+            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            use(texels);
+        }
+    }
+
+    UMBRAGE_INLINE void soften(const placed& at, float* visibility) const {
+        alignas(64) std::int32_t codes[block], searched[block], radii[block], blocked[block]{}, sums[block]{};
+        for (int i = 0; i < block; ++i) {
+            codes[i] = distance_code_of(at.z[i]);
+            searched[i] = radius(codes[i]);
+        }
+        for_each_tap(at, searched, [&](const auto& texels) UMBRAGE_INLINE {
+            std::int32_t found = 0;
+            for (int i = 0; i < block; ++i) {
+                const std::int32_t before = 1 - test::lit(at.z[i], texels.one(i));
+                blocked[i] += before;
+                found |= before;
+            }
+            if (found == 0) return;  // most blocks of a picture are lit
+            for (int i = 0; i < block; ++i)
+                sums[i] += distance_code_of(texels.one(i)) & -(1 - test::lit(at.z[i], texels.one(i)));
+        });
+        std::int32_t any = 0;
+        for (int i = 0; i < block; ++i) {
+            any |= blocked[i] & at.compared[i];
+            radii[i] = radius(codes[i] - divide_int(sums[i], blocked[i] > 1 ? blocked[i] : 1));
+        }
+        if (any == 0) {
+            for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
+        } else if constexpr (filters_again) {
+            alignas(64) std::int32_t lit[block]{};
+            for_each_tap(at, radii, [&](const auto& texels) UMBRAGE_INLINE {
+                for (int i = 0; i < block; ++i) lit[i] += test::lit(at.z[i], texels.one(i));
+            });
+            const float share = 1.0f / static_cast<float>(this->points);
+            UMBRAGE_NO_OVERLAP
+            for (int i = 0; i < block; ++i)
+                visibility[i] =
+                    select(at.compared[i] & -std::int32_t(blocked[i] > 0), static_cast<float>(lit[i]) * share, 1.0f);
+        } else {
+            const std::int32_t n = this->points, cube = n * n * n;
+            const float share = 1.0f / (512.0f * static_cast<float>(cube));
+            UMBRAGE_NO_OVERLAP
+            for (int i = 0; i < block; ++i) {
+                const std::int32_t ratio = divide_int(radii[i] * 256, searched[i] > 1 ? searched[i] : 1);
+                const std::int32_t u = blocked[i] * 2 - n, d = n - (u < 0 ? -u : u), steep = cube - d * d * d;
+                const std::int32_t hard = u < 0 ? cube - steep : cube + steep;
+                const std::int32_t dark = hard * (256 - ratio) + blocked[i] * ratio * (2 * n * n);
+                visibility[i] = select(at.compared[i], 1.0f - static_cast<float>(dark) * share, 1.0f);
+            }
+        }
+    }
+};
+
+template <class Filter>
+struct soft_form {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
+        using blocks = soft_blocks<Direction, Filter>;
+        const disc_table turned = blocks::turned_points(filter);
+        use(blocks(map.map, turned, filter));
+    }
+};
+template <>
+struct block_form<filters::pcss> : soft_form<filters::pcss> {};
+template <>
+struct block_form<filters::dpcf> : soft_form<filters::dpcf> {};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/forms.hpp
+// Every filter's fast form over images, which visibility() then finds by the filter's type.
+//
+
 
 // ---- umbrage/images/visibility.hpp
 // A whole image of receivers against a shadow map, with any filter and any encoding.
@@ -17994,7 +18008,7 @@ template <real T = float>
 
 }  // namespace umbrage
 
-// ---- umbrage/light/warp/lamp.hpp
+// ---- umbrage/light/warp/light_position.hpp
 // Point lights for warps: warp_fit::direction is then the axis, which all receivers have to lie along.
 //
 //     auto warped = umbrage::fit_perspective(fit, {.position = p, .z_near = 0.05f});

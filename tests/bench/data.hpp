@@ -10,8 +10,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/core/image.hpp>
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/image.hpp>
 #include <umbrage/images/encode.hpp>
 
 namespace bench {

@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 namespace bench {
 

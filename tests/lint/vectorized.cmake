@@ -3,13 +3,13 @@
 # Fails when GCC leaves a loop over a block scalar on AVX2, which it does without a word: its report says which loops it
 # made vectors of. Only loops in functions that vectorized.cpp.in uses are compiled, and looked at.
 cmake_minimum_required(VERSION 3.21)
-set(looked_at images/encode images/min_max images/summed_area images/visibility simd/blocks/receivers
-    simd/blocks/pcf_2x2 simd/raster/projection simd/raster/small_triangles
-    simd/raster/triangles)
+set(looked_at images/encode images/min_max images/summed_area images/visibility images/blocks/receivers
+    images/blocks/pcf_2x2 images/raster/projection images/raster/small_triangles
+    images/raster/triangles)
 set(scalar # by intent: what a constructor sets once, and what a branch leaves out nearly always; or not used
-    "simd/blocks/receivers.hpp:.* set[(]i, from"
-    "simd/raster/projection.hpp:.* if [(]outside.i.[)] vertices"
-    "simd/raster/triangles.hpp:.* id.i. = 0")
+    "images/blocks/receivers.hpp:.* set[(]i, from"
+    "images/raster/projection.hpp:.* if [(]outside.i.[)] vertices"
+    "images/raster/triangles.hpp:.* id.i. = 0")
 
 execute_process(COMMAND ${CXX} -O2 -DUMBRAGE_FORCE_ISA=avx2 -fopt-info-vec-optimized=vectorized.txt -x c++ -c ${SOURCE} -o vectorized.o
     RESULT_VARIABLE failed)

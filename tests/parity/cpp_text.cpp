@@ -3,7 +3,7 @@
 // The back ends that run the snippets' text as C++. Their 8-bit target rounds and truncates in turn.
 #include "cpp_text.hpp"
 
-#include <umbrage/unorm.hpp>
+#include <umbrage/core/unorm.hpp>
 
 #include "shader.hpp"
 

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/point/cube_map.hpp>
 
 #ifdef PARITY_ARITHMETIC
 #include "arithmetic/vectors.hpp"

@@ -15,9 +15,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/image.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/glsl.hpp>
-#include <umbrage/image.hpp>
 
 #include "random.hpp"
 

@@ -10,8 +10,8 @@
 #include <iostream>
 #include <stdexcept>
 
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/unorm.hpp>
 
 #include "backend.hpp"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-#include <umbrage/unorm.hpp>
+#include <umbrage/core/unorm.hpp>
 
 #include "backend.hpp"
 #include "shader.hpp"

@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <umbrage/scalar.hpp>
+#include <umbrage/core/scalar.hpp>
 
 #include "../proof/hostile/hostile.hpp"
 #include "written_order.hpp"

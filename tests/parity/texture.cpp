@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/point/cube_map.hpp>
 
 #include "shader.hpp"
 

@@ -14,9 +14,9 @@
 #include <tuple>
 #include <type_traits>
 
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/unorm.hpp>
 
 namespace proof {
 

@@ -18,10 +18,10 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/bias/constant.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/filter/filter.hpp>
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/scalar.hpp>
 
 namespace umbrage {
 

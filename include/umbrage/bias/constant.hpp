@@ -6,9 +6,9 @@
 //
 #pragma once
 
-#include <umbrage/compare.hpp>
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/scalar.hpp>
+#include <umbrage/core/compare.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
 

@@ -12,8 +12,8 @@
 
 #include <glm/vec3.hpp>
 
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/scalar.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
 

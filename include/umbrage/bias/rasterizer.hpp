@@ -13,9 +13,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include <umbrage/clip_space.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/scalar.hpp>
 
 namespace umbrage {
 

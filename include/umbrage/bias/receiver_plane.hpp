@@ -19,9 +19,9 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/bias/slope.hpp>
-#include <umbrage/clip_space.hpp>
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/scalar.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
 

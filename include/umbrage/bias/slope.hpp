@@ -18,8 +18,9 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/bias/constant.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/snippet.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/shader/snippet.hpp>
 
 namespace umbrage {
 

@@ -9,8 +9,8 @@
 
 #include <cstdint>
 
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/depth/encoding.hpp>
-#include <umbrage/scalar.hpp>
 
 namespace umbrage {
 

@@ -6,8 +6,8 @@
 //
 #pragma once
 
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/depth/encoding.hpp>
-#include <umbrage/scalar.hpp>
 
 namespace umbrage {
 

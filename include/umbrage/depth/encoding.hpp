@@ -13,9 +13,9 @@
 #include <string_view>
 #include <type_traits>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/unorm.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/snippet.hpp>
+#include <umbrage/core/unorm.hpp>
 
 namespace umbrage {
 

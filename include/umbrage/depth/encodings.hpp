@@ -7,6 +7,7 @@
 //
 #pragma once
 
+#include <umbrage/core/list.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/depth/float_bits.hpp>
@@ -15,7 +16,6 @@
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
-#include <umbrage/list.hpp>
 
 namespace umbrage {
 

@@ -15,10 +15,10 @@
 #include <glm/fwd.hpp>
 #include <glm/vec2.hpp>
 
+#include <umbrage/core/image.hpp>
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/depth/code.hpp>
 #include <umbrage/depth/encoding.hpp>
-#include <umbrage/image.hpp>
-#include <umbrage/unorm.hpp>
 
 namespace umbrage {
 

@@ -14,7 +14,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/compare.hpp>
+#include <umbrage/core/compare.hpp>
 #include <umbrage/depth/rg.hpp>
 
 namespace umbrage {

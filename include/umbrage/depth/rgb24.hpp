@@ -10,8 +10,8 @@
 #include <glm/fwd.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/depth/code.hpp>
-#include <umbrage/unorm.hpp>
 
 namespace umbrage {
 

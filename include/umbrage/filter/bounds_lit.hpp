@@ -9,7 +9,7 @@
 // Pays off for filters of many texels, and where shadows have more inside than border.
 #pragma once
 
-#include <umbrage/filter/texel_space.hpp>
+#include <umbrage/core/texel_space.hpp>
 
 namespace umbrage {
 

@@ -13,7 +13,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/shader/snippet.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
 namespace detail {

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// Every filter of the library, in one list: what tools, tables, proofs and examples walk. Each comes with its form for
-// blocks of receivers.
+// Every filter of the library, in one list: what tools, tables, proofs and examples walk.
 //
 //     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::box{.radius = 2}, out);
 //
 #pragma once
 
+#include <umbrage/core/list.hpp>
+#include <umbrage/filter/blocker/dpcf.hpp>
+#include <umbrage/filter/blocker/pcss.hpp>
 #include <umbrage/filter/filter.hpp>
-#include <umbrage/list.hpp>
-#include <umbrage/simd/blocks/box.hpp>
-#include <umbrage/simd/blocks/disc.hpp>
-#include <umbrage/simd/blocks/four_tap.hpp>
-#include <umbrage/simd/blocks/hard.hpp>
-#include <umbrage/simd/blocks/hierarchical.hpp>
-#include <umbrage/simd/blocks/pcf_2x2.hpp>
-#include <umbrage/simd/blocks/soft.hpp>
-#include <umbrage/simd/blocks/window.hpp>
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/disc.hpp>
+#include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/windows.hpp>
 
 namespace umbrage::filters {
 

@@ -19,11 +19,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/config.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/images/mesh.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/simd/raster/projection.hpp>
+#include <umbrage/images/raster/projection.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH

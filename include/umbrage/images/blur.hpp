@@ -18,8 +18,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/config.hpp>
-#include <umbrage/image.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>

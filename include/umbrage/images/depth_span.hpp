@@ -16,12 +16,12 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/depth/kinds.hpp>
-#include <umbrage/image.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/images/parallel.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 

@@ -15,12 +15,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/rasterize.hpp>
-#include <umbrage/light/dual_paraboloid.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
 
 namespace umbrage {
 

@@ -9,11 +9,11 @@
 // that compilers can vectorise; any other type like them works as well.
 #pragma once
 
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/depth/encoding.hpp>
-#include <umbrage/image.hpp>
+#include <umbrage/images/blocks/codec.hpp>
 #include <umbrage/images/parallel.hpp>
-#include <umbrage/simd/algorithm.hpp>
-#include <umbrage/simd/blocks/codec.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
 

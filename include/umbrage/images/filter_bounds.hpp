@@ -12,8 +12,8 @@
 #include <optional>
 #include <utility>
 
-#include <umbrage/simd/algorithm.hpp>
-#include <umbrage/simd/blocks/box_bounds.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/images/blocks/box_bounds.hpp>
 
 namespace umbrage {
 

@@ -20,11 +20,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/images/quality.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

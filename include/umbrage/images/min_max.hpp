@@ -13,7 +13,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>

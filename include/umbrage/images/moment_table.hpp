@@ -15,12 +15,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/clip_space.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/filter/table/summed_moments.hpp>
-#include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/summed_area.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

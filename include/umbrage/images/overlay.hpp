@@ -16,12 +16,12 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/config.hpp>
-#include <umbrage/image.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/simd/algorithm.hpp>
-#include <umbrage/unorm.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/view/overlay_texel.hpp>
 
 namespace umbrage {

@@ -21,13 +21,14 @@
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <umbrage/config.hpp>
-#include <umbrage/image.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/adaptive/root.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -19,14 +19,14 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/core/image.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/filter/prefiltered/reduce.hpp>
-#include <umbrage/image.hpp>
+#include <umbrage/images/blocks/receivers.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/receivers.hpp>
 #include <umbrage/simd/bits.hpp>
-#include <umbrage/simd/blocks/receivers.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
 

@@ -28,15 +28,15 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/image.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/images/barycentrics.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/simd/raster/depth_target.hpp>
-#include <umbrage/simd/raster/snapped_mesh.hpp>
-#include <umbrage/simd/raster/triangles.hpp>
+#include <umbrage/images/raster/depth_target.hpp>
+#include <umbrage/images/raster/snapped_mesh.hpp>
+#include <umbrage/images/raster/triangles.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH
@@ -70,7 +70,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
 /// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
-/// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangles.hpp: set_up
+/// @exactness   coverage A from the snapped vertices on; depth B, see images/raster/triangles.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},

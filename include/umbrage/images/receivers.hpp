@@ -11,9 +11,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/config.hpp>
-#include <umbrage/image.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 namespace umbrage {

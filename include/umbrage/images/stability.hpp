@@ -20,9 +20,10 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

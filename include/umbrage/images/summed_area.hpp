@@ -17,9 +17,9 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/parallel.hpp>
-#include <umbrage/simd/algorithm.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
 #include <umbrage/simd/strict_math.hpp>

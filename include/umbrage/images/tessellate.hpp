@@ -15,11 +15,12 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

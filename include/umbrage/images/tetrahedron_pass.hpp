@@ -11,13 +11,14 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/light/tetrahedron.hpp>
-#include <umbrage/simd/algorithm.hpp>
+#include <umbrage/light/point/tetrahedron.hpp>
 
 namespace umbrage {
 

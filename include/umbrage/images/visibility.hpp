@@ -16,15 +16,14 @@
 #include <string>
 #include <type_traits>
 
-#include <umbrage/clip_space.hpp>
+#include <umbrage/core/clip_space.hpp>
 #include <umbrage/depth/depth32f.hpp>
-#include <umbrage/filter/filters.hpp>
+#include <umbrage/images/blocks/forms.hpp>
+#include <umbrage/images/blocks/receivers.hpp>
+#include <umbrage/images/blocks/texels.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/receivers.hpp>
-#include <umbrage/simd/blocks/form.hpp>
-#include <umbrage/simd/blocks/receivers.hpp>
-#include <umbrage/simd/blocks/texels.hpp>
 
 namespace umbrage {
 

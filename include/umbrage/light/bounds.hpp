@@ -24,9 +24,10 @@
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

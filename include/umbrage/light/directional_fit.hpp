@@ -14,10 +14,11 @@
 #include <cmath>
 #include <optional>
 
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

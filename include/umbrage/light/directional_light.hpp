@@ -6,6 +6,7 @@
 //
 #pragma once
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/light/light_space.hpp>
 
 namespace umbrage {

@@ -11,18 +11,17 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <initializer_list>
 #include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/config.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/simd/algorithm.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/scalar.hpp>
 
 namespace umbrage {
 
@@ -34,22 +33,6 @@ struct light_space {
 };
 
 namespace detail {
-
-/// Reports an argument of a set-up function, or several, unless what they need is met.
-inline void require(bool met, const char* function, const char* arguments, const char* problem) {
-    if (met) return;
-    std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
-    for (const char* part : {function, ": ", arguments, " ", problem}) message += part;
-    fail(message);
-}
-
-/// The same, and the number that was given.
-inline void require(bool met, const char* function, const char* argument, const char* condition, double got) {
-    if (met) return;
-    char problem[128];
-    std::snprintf(problem, sizeof problem, "%s; got %g", condition, got);
-    require(false, function, argument, problem);
-}
 
 /// True for what neither overflowed nor is lost where denormals count as zero.
 template <real T>

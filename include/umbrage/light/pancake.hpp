@@ -8,9 +8,9 @@
 
 #include <glm/vec4.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/shader/snippet.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
 

@@ -13,11 +13,12 @@
 #include <numbers>
 #include <optional>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/light/light_space.hpp>
 
 namespace umbrage {

@@ -14,10 +14,11 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 namespace detail {

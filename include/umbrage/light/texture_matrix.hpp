@@ -14,8 +14,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/snippet.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/shader/snippet.hpp>
 
 namespace umbrage {
 

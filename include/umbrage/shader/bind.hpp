@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/shader/binding.hpp>
 #include <umbrage/shader/chosen.hpp>
 

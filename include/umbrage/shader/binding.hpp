@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include <umbrage/clip_space.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/snippet.hpp>
 #include <umbrage/depth/encoding.hpp>
-#include <umbrage/shader/snippet.hpp>
 
 namespace umbrage::glsl {
 

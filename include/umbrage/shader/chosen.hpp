@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/shader/binding.hpp>
 #include <umbrage/shader/hooks.hpp>
 

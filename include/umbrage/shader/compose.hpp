@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/chosen.hpp>
 #include <umbrage/shader/fill.hpp>

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/chosen.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage::glsl::detail {
 

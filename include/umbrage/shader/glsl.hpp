@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/config.hpp>
-#include <umbrage/light/cube_atlas.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/light/point/cube_atlas.hpp>
 #include <umbrage/shader/compose.hpp>
 
 namespace umbrage::glsl {

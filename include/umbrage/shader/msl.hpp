@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 
-#include <umbrage/config.hpp>
-#include <umbrage/light/cube_atlas.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/light/point/cube_atlas.hpp>
 #include <umbrage/shader/compose.hpp>
 #include <umbrage/shader/translate/word_by_word.hpp>
 

@@ -17,12 +17,15 @@
 #include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/bias/slope.hpp>
-#include <umbrage/clip_space.hpp>
-#include <umbrage/compare.hpp>
-#include <umbrage/config.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/compare.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/floor_divide.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/core/unorm.hpp>
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
-#include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/blocker/pcss_hardware.hpp>
@@ -45,20 +48,17 @@
 #include <umbrage/filter/prefiltered/vsm.hpp>
 #include <umbrage/filter/table/summed_moments.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
-#include <umbrage/floor_divide.hpp>
-#include <umbrage/image.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
-#include <umbrage/light/cube_atlas.hpp>
-#include <umbrage/light/cube_map.hpp>
-#include <umbrage/light/dual_paraboloid.hpp>
 #include <umbrage/light/pancake.hpp>
-#include <umbrage/light/tetrahedron.hpp>
+#include <umbrage/light/point/cube_atlas.hpp>
+#include <umbrage/light/point/cube_map.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
+#include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
-#include <umbrage/unorm.hpp>
-#include <umbrage/view/false_colour.hpp>
+#include <umbrage/view/false_color.hpp>
 #include <umbrage/view/overlay_texel.hpp>
 
 namespace umbrage::glsl {

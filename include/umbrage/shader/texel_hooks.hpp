@@ -4,7 +4,7 @@
 //
 #pragma once
 
-#include <umbrage/filter/texel_space.hpp>
+#include <umbrage/core/texel_space.hpp>
 
 namespace umbrage::glsl::hooks {
 

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 namespace umbrage::detail {

@@ -16,7 +16,7 @@
 
 #include <type_traits>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 
 // Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -14,7 +14,7 @@
 #include <cstring>
 #include <utility>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/plain_lanes.hpp>

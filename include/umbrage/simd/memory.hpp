@@ -15,7 +15,7 @@
 #include <atomic>
 #endif
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
 

@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include <umbrage/config.hpp>
-#include <umbrage/simd/algorithm.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/memory.hpp>

@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/scalar.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
 

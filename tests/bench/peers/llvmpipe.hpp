@@ -9,8 +9,8 @@
 
 #include <glm/gtc/type_precision.hpp>
 
-#include <umbrage/image.hpp>
-#include <umbrage/shader/snippet.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace peers::llvmpipe {
 

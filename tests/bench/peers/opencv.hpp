@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 namespace peers::opencv {
 

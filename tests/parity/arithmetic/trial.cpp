@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include <umbrage/shader/snippet.hpp>
+#include <umbrage/core/snippet.hpp>
 
 #include "../cpp_text.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/simd/dispatch.hpp>
 
 #include "hostile.hpp"

@@ -9,9 +9,9 @@
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
-#include <umbrage/light/cube_atlas.hpp>
-#include <umbrage/light/cube_map.hpp>
-#include <umbrage/light/tetrahedron.hpp>
+#include <umbrage/light/point/cube_atlas.hpp>
+#include <umbrage/light/point/cube_map.hpp>
+#include <umbrage/light/point/tetrahedron.hpp>
 
 #include "hostile.hpp"
 

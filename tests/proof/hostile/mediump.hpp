@@ -3,7 +3,7 @@
 // The two-channel encodings in mediump: the text of the GLSL snippets itself, compiled with a float that is binary16.
 #pragma once
 
-#include <umbrage/unorm.hpp>
+#include <umbrage/core/unorm.hpp>
 
 #include "half.hpp"
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/compare.hpp>
+#include <umbrage/core/compare.hpp>
 #include <umbrage/images/rasterize.hpp>
 
 #include "images.hpp"

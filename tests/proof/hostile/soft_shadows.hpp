@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
+#include <umbrage/core/floor_divide.hpp>
 #include <umbrage/filter/blocker/dpcf.hpp>
 #include <umbrage/filter/blocker/pcss.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
-#include <umbrage/floor_divide.hpp>
 
 #include "hostile.hpp"
 

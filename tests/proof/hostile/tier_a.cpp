@@ -11,10 +11,10 @@
 
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/depth/float_bits.hpp>
-#include <umbrage/depth/rg_table.hpp>
-#include <umbrage/depth/rgb24.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
+#include <umbrage/depth/rg_table.hpp>
+#include <umbrage/depth/rgb24.hpp>
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>

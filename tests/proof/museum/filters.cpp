@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include <umbrage/depth/kinds.hpp>
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include <glm/gtc/type_precision.hpp>
-#include <umbrage/unorm.hpp>
+#include <umbrage/core/unorm.hpp>
 
 struct score {
     long wrong = 0, tried = 0;

@@ -11,11 +11,11 @@
 
 #include <glm/exponential.hpp>
 
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
-#include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>

@@ -8,8 +8,8 @@
 
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/receiver_plane.hpp>
+#include <umbrage/core/image.hpp>
 #include <umbrage/filter/filters.hpp>
-#include <umbrage/image.hpp>
 
 using namespace umbrage;
 

@@ -11,7 +11,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/image.hpp>
+#include <umbrage/core/image.hpp>
 
 /// Depths k / 1024, few enough different ones that ties are common.
 inline umbrage::image<float> random_map(std::mt19937& random, glm::ivec2 size, int steps = 8) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/images/mesh.hpp>
-#include <umbrage/scalar.hpp>
 
 using namespace umbrage;
 

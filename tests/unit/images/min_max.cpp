@@ -9,8 +9,8 @@
 #include <random>
 #include <utility>
 
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/images/min_max.hpp>
-#include <umbrage/scalar.hpp>
 
 namespace {
 

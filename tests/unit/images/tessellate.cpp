@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/light/dual_paraboloid.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
 
 #include "../light/clip_spaces.hpp"
 #include "../special_values.hpp"

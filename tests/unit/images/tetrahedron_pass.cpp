@@ -10,8 +10,8 @@
 
 #include <glm/matrix.hpp>
 
-#include <umbrage/depth/kinds.hpp>
-#include <umbrage/light/tetrahedron_light.hpp>
+#include <umbrage/depth/conversions.hpp>
+#include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include "../light/clip_spaces.hpp"

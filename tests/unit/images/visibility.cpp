@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/float_bits.hpp>
-#include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/images/visibility.hpp>

@@ -14,8 +14,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/scalar.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/scalar.hpp>
 
 inline std::vector<umbrage::clip_space> all_clip_spaces() {
     using namespace umbrage;

@@ -17,11 +17,11 @@
 #include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
-#include <umbrage/light/dual_paraboloid.hpp>
-#include <umbrage/light/point_light.hpp>
+#include <umbrage/light/point/dual_paraboloid.hpp>
+#include <umbrage/light/point/point_light.hpp>
+#include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
-#include <umbrage/light/tetrahedron_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>

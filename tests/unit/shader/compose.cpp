@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/rg_level.hpp>
-#include <umbrage/depth/kinds.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>

@@ -11,9 +11,9 @@
 #include <limits>
 #include <vector>
 
-#include <umbrage/compare.hpp>
-#include <umbrage/filter/texel_space.hpp>
-#include <umbrage/scalar.hpp>
+#include <umbrage/core/compare.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/texel_space.hpp>
 
 using namespace umbrage::detail;
 

@@ -16,9 +16,9 @@
 #include <glm/fwd.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/depth/encoding.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/unorm.hpp>
 
 namespace umbrage {
 

@@ -9,8 +9,8 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/compare.hpp>
-#include <umbrage/scalar.hpp>
+#include <umbrage/core/compare.hpp>
+#include <umbrage/core/scalar.hpp>
 
 namespace umbrage {
 

@@ -22,8 +22,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/depth/code.hpp>
-#include <umbrage/unorm.hpp>
 
 namespace umbrage {
 

@@ -19,8 +19,8 @@
 #include <glm/fwd.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/unorm.hpp>
 #include <umbrage/depth/code.hpp>
-#include <umbrage/unorm.hpp>
 
 namespace umbrage {
 

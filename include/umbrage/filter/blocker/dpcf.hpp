@@ -11,9 +11,9 @@
 #include <array>
 #include <string>
 
+#include <umbrage/core/algorithm.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

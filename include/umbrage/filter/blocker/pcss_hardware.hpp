@@ -20,9 +20,9 @@
 
 #include <string>
 
+#include <umbrage/core/algorithm.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

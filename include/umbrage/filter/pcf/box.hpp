@@ -10,8 +10,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
-#include <umbrage/filter/texel_space.hpp>
 
 namespace umbrage {
 

@@ -12,8 +12,8 @@
 #include <array>
 #include <string>
 
+#include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
-#include <umbrage/filter/texel_space.hpp>
 
 namespace umbrage {
 

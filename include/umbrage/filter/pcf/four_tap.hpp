@@ -9,8 +9,8 @@
 
 #include <array>
 
+#include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
-#include <umbrage/filter/texel_space.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 namespace umbrage {

@@ -8,8 +8,8 @@
 // DirectX SDK sample's form in plain floats.
 #pragma once
 
+#include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
-#include <umbrage/filter/texel_space.hpp>
 
 namespace umbrage {
 

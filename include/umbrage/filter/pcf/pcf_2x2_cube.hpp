@@ -19,8 +19,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/filter/texel_space.hpp>
-#include <umbrage/light/cube_map.hpp>
+#include <umbrage/core/texel_space.hpp>
+#include <umbrage/light/point/cube_map.hpp>
 
 namespace umbrage {
 

@@ -19,9 +19,9 @@
 #include <cstdint>
 #include <string>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
-#include <umbrage/filter/texel_space.hpp>
 
 namespace umbrage {
 

@@ -13,9 +13,9 @@
 
 #include <string>
 
+#include <umbrage/core/algorithm.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -12,10 +12,10 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/clip_space.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
 #include <umbrage/filter/prefiltered/exp2.hpp>
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/scalar.hpp>
 
 namespace umbrage {
 

@@ -13,9 +13,9 @@
 
 #include <glm/common.hpp>
 
+#include <umbrage/core/algorithm.hpp>
 #include <umbrage/filter/prefiltered/evsm.hpp>
 #include <umbrage/filter/prefiltered/vsm.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

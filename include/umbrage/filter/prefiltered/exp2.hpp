@@ -13,10 +13,10 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <umbrage/config.hpp>
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/simd/algorithm.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
 

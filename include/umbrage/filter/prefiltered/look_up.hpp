@@ -11,12 +11,12 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/prefiltered/esm.hpp>
 #include <umbrage/filter/prefiltered/evsm.hpp>
 #include <umbrage/filter/prefiltered/hausdorff.hpp>
 #include <umbrage/filter/prefiltered/msm.hpp>
 #include <umbrage/filter/prefiltered/vsm.hpp>
-#include <umbrage/filter/texel_space.hpp>
 
 namespace umbrage {
 

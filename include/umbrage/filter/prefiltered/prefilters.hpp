@@ -9,8 +9,8 @@
 //
 #pragma once
 
+#include <umbrage/core/list.hpp>
 #include <umbrage/filter/prefiltered/look_up.hpp>
-#include <umbrage/list.hpp>
 
 namespace umbrage::prefilters {
 

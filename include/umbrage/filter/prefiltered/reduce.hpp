@@ -13,8 +13,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/image.hpp>
-#include <umbrage/shader/snippet.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
 namespace detail {

@@ -14,9 +14,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/prefiltered/msm.hpp>
-#include <umbrage/filter/texel_space.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

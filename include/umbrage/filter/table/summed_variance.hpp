@@ -15,9 +15,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/filter/texel_space.hpp>
-#include <umbrage/floor_divide.hpp>
-#include <umbrage/simd/algorithm.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/floor_divide.hpp>
+#include <umbrage/core/texel_space.hpp>
 
 namespace umbrage {
 

@@ -26,10 +26,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/image.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/unorm.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
+#include <umbrage/core/unorm.hpp>
 
 namespace umbrage {
 

@@ -20,11 +20,12 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -14,6 +14,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>

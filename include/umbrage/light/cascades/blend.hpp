@@ -12,10 +12,10 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include <umbrage/filter/texel_space.hpp>
-#include <umbrage/scalar.hpp>
-#include <umbrage/shader/snippet.hpp>
-#include <umbrage/simd/algorithm.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
+#include <umbrage/core/texel_space.hpp>
 
 namespace umbrage {
 

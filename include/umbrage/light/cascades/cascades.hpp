@@ -18,7 +18,8 @@
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/light_space.hpp>

@@ -23,8 +23,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/scalar.hpp>
-#include <umbrage/shader/snippet.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/light/light_space.hpp>
 
 namespace umbrage {

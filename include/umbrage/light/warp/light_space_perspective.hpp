@@ -22,10 +22,11 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 namespace detail {

@@ -28,13 +28,14 @@
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/sweep.hpp>
-#include <umbrage/light/warp/lamp.hpp>
+#include <umbrage/light/warp/light_position.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -22,13 +22,14 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
-#include <umbrage/light/warp/lamp.hpp>
+#include <umbrage/light/warp/light_position.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

@@ -12,9 +12,10 @@
 
 #include <glm/common.hpp>
 
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

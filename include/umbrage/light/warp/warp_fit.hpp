@@ -30,12 +30,13 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
-#include <umbrage/simd/algorithm.hpp>
 
 namespace umbrage {
 

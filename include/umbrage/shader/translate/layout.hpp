@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 
 namespace umbrage::glsl::detail {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/config.hpp>
-#include <umbrage/literal.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/literal.hpp>
 
 namespace umbrage::glsl::detail {
 

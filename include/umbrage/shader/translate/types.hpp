@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/shader/translate/words.hpp>
 
 namespace umbrage::glsl::detail {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/shader/translate/tokens.hpp>
 #include <umbrage/shader/translate/types.hpp>
 #include <umbrage/shader/translate/words.hpp>

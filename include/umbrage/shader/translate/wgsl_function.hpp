@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/shader/translate/wgsl_expression.hpp>
 
 namespace umbrage::wgsl::detail {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/config.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/shader/translate/layout.hpp>
 #include <umbrage/shader/translate/tokens.hpp>
 #include <umbrage/shader/translate/words.hpp>

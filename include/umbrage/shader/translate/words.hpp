@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include <umbrage/config.hpp>
-#include <umbrage/literal.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/literal.hpp>
 
 namespace umbrage::glsl::detail {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include <umbrage/filter/texel_space.hpp>
+#include <umbrage/core/texel_space.hpp>
 
 #include "../entries.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include <umbrage/unorm.hpp>
+#include <umbrage/core/unorm.hpp>
 
 #include "windows.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <umbrage/unorm.hpp>
+#include <umbrage/core/unorm.hpp>
 
 #include "../../entries.hpp"
 

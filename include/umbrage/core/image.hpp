@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+//
+// Images: a view over anybody's pixels, an owner, and the two ways to fetch a texel.
+//
+//     umbrage::image<float> map({1024, 1024}, 1.0f);
+//     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
+//     float depth = umbrage::clamped(foreign)(glm::ivec2(-1, 5));  // the texel at (0, 5)
+//
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <limits>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/snippet.hpp>
+
+namespace umbrage {
+
+/// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
+/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
+/// zero in its size.
+template <class T>
+struct image_view {
+    T* data = nullptr;
+    glm::ivec2 size{0, 0};
+    std::ptrdiff_t stride = 0;  ///< in bytes
+
+    constexpr image_view() = default;
+
+    /// Rows that follow each other without a gap.
+    constexpr image_view(T* pixels, glm::ivec2 extent)
+        : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
+
+    /// @throws std::invalid_argument  negative size; pixels missing; stride shorter than a row
+    ///                                or not a multiple of the alignment of T
+    constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
+        : data(pixels), size(extent), stride(stride_bytes) {
+        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
+        if (empty()) return;
+        const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
+        const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
+        if (!pixels) detail::fail("umbrage::image_view: no pixels");
+        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
+        if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
+            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
+    }
+
+    /// A view that may write is also a view that may read.
+    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
+
+    [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
+
+    /// First texel of row y, 0 <= y < size.y.
+    [[nodiscard]] T* row(int y) const {
+        assert(y >= 0 && y < size.y);
+        using byte = std::conditional_t<std::is_const_v<T>, const std::byte, std::byte>;
+        return reinterpret_cast<T*>(reinterpret_cast<byte*>(data) + y * stride);
+    }
+
+    /// Texel inside the image.
+    [[nodiscard]] T& operator[](glm::ivec2 texel) const {
+        assert(texel.x >= 0 && texel.x < size.x);
+        return row(texel.y)[texel.x];
+    }
+
+    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
+    /// @throws std::invalid_argument  not inside the image
+    [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
+        const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
+                            extent.x <= size.x - first.x && extent.y <= size.y - first.y;
+        if (!inside) detail::fail("umbrage::image_view: region is not inside the image");
+        const bool none = extent.x == 0 || extent.y == 0;
+        return {none ? data : row(first.y) + first.x, extent, stride};
+    }
+
+    /// Rows first <= y < last as a view of their own: the unit of work for a thread.
+    [[nodiscard]] image_view rows(int first, int last) const {
+        assert(0 <= first && first <= last && last <= size.y);
+        return {first < last ? row(first) : data, {size.x, last - first}, stride};
+    }
+};
+
+namespace detail {
+
+/// Aligns memory to cache lines, so that no block of pixels straddles two without need.
+template <class T>
+struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class Other>
+    line_allocator(const line_allocator<Other>&) {}
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
+    bool operator==(const line_allocator&) const = default;
+};
+
+}  // namespace detail
+
+/// Pixels of our own, without gaps between rows.
+template <class T>
+class image {
+public:
+    image() = default;
+
+    /// @throws std::invalid_argument  negative size
+    explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
+        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
+        texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
+    }
+
+    [[nodiscard]] glm::ivec2 size() const { return size_; }
+    [[nodiscard]] bool empty() const { return texels_.empty(); }
+    [[nodiscard]] std::span<T> texels() & { return texels_; }
+    [[nodiscard]] std::span<const T> texels() const& { return texels_; }
+    void texels() && = delete;  ///< of a temporary: they would dangle
+
+    [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
+    [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
+
+    [[nodiscard]] image_view<T> view() { return {texels_.data(), size_}; }
+    [[nodiscard]] image_view<const T> view() const { return {texels_.data(), size_}; }
+    operator image_view<T>() { return view(); }
+    operator image_view<const T>() const { return view(); }
+
+private:
+    static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to view: use std::uint8_t");
+    glm::ivec2 size_{0, 0};
+    std::vector<T, detail::line_allocator<T>> texels_;
+};
+
+namespace detail {
+
+/// What functions over images take: an image, or a view of one.
+template <class T>
+[[nodiscard]] image_view<T> view_of(image_view<T> view) {
+    return view;
+}
+template <class T>
+[[nodiscard]] image_view<T> view_of(image<T>& of) {
+    return of;
+}
+template <class T>
+[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
+    return of;
+}
+template <class T>
+inline constexpr bool is_image = false;
+template <class T>
+inline constexpr bool is_image<image<T>> = true;
+template <class... Any>
+concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
+
+}  // namespace detail
+
+/// Texel inside the map.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> texel(image_view<T> map, glm::ivec2 at) {
+    return map[at];
+}
+
+/// @param size    of a map, in texels
+/// @exactness     A
+[[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
+}
+
+/// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> fetch_clamped(image_view<T> map, glm::ivec2 texel) {
+    assert(!map.empty());
+    const int x = texel.x < 0 ? 0 : (texel.x < map.size.x ? texel.x : map.size.x - 1);
+    const int y = texel.y < 0 ? 0 : (texel.y < map.size.y ? texel.y : map.size.y - 1);
+    return map.row(y)[x];
+}
+
+/// Texel of the map, or `border` outside of it. An empty map is all border.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
+                                                    std::remove_const_t<T> border) {
+    return inside_map(map.size, texel) ? map.row(texel.y)[texel.x] : border;
+}
+
+/// fetch_clamped as the callable that filters take.
+/// @throws std::invalid_argument  empty map
+template <class T>
+[[nodiscard]] auto clamped(image_view<T> map) {
+    if (map.empty()) detail::fail("umbrage::clamped: empty map");
+    return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
+}
+template <class T>
+[[nodiscard]] auto clamped(const image<T>& map) {
+    return clamped(map.view());
+}
+
+/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
+/// lit.
+template <class T>
+[[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
+    return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
+}
+template <class T>
+[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
+    return bordered(map.view(), border);
+}
+
+namespace glsl {
+
+inline constexpr snippet texel{
+    .name = "texel",
+    .summary = "texel inside a map",
+    .exactness = tier::a,
+    .role = hook::texel,
+    .source = R"GLSL(
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+)GLSL",
+};
+
+inline constexpr snippet inside_map{
+    .name = "inside_map",
+    .summary = "whether a texel is one of the map's",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+)GLSL",
+};
+
+inline constexpr snippet fetch_clamped{
+    .name = "fetch_clamped",
+    .summary = "texel of a map, outside the nearest one inside",
+    .exactness = tier::a,
+    .needs = list<&texel>,
+    .source = R"GLSL(
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+)GLSL",
+};
+
+inline constexpr snippet fetch_bordered{
+    .name = "fetch_bordered",
+    .summary = "texel of a map, outside a border value",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped, &inside_map>,
+    .source = R"GLSL(
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* image_snippets[]{&texel, &inside_map, &fetch_clamped, &fetch_bordered};
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+//
+// What every filter over a map shares: the range of its coordinates, and the comparison with a texel.
+//
+//     if (!umbrage::inside_texel_space(coord)) return 1;  // NaN, infinite or absurd: lit
+//
+#pragma once
+
+#include <concepts>
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/core/compare.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/core/scalar.hpp>
+
+namespace umbrage {
+
+/// True when |coord| < 2^15 in both directions, so that texel numbers and 1/256 of them stay exact.
+/// Filters take everything else, NaN included, as lit.
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr bool inside_texel_space(glm::vec<2, T> coord) {
+    const auto inside = [](T v) { return !is_nan(v) && v < T(32768) && v > T(-32768); };
+    return inside(coord.x) && inside(coord.y);
+}
+
+/// Whether a filter compares a receiver at all. Two kinds are lit without: coordinates outside texel space, and depths
+/// beyond the far plane.
+/// @param is_lit   the comparison; one without beyond_far has no far plane
+/// @exactness      A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
+    return inside_texel_space(coord) && !beyond_far(receiver, is_lit);
+}
+
+/// Stored depth of a texel: the fetch callable of every filter, by name.
+/// @param fetch   ivec2 texel -> depth, e.g. clamped(map), or decoded(map, rg<11>{}) for packed maps
+template <class Fetch>
+[[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
+    return fetch(texel);
+}
+
+/// Stored depth of the texel at a point of the map.
+/// @param fetch   ivec2 texel -> stored depth
+/// @param size    of the map, in texels
+/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
+/// @exactness     C, n = 4: the fetched depth, but at borders between texels: a sampler takes the nearest to what it
+///                rounds its coordinates to, 2^-10 texel off in a map of 8192
+template <real T, class Fetch>
+[[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
+    return T(fetch(glm::ivec2(glm::floor(uv * size))));
+}
+
+/// Visibility of one comparison with a texel.
+/// @param fetch   ivec2 texel -> stored depth
+/// @return        1 when lit, 0 in shadow
+/// @exactness     A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] constexpr T lit(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    return compare(receiver, T(fetch(texel)), is_lit);
+}
+
+/// Visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1): what one gather gives.
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] constexpr glm::vec<4, T> lit_2x2(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    const T a = lit(fetch, texel, receiver, is_lit), b = lit(fetch, texel + glm::ivec2(1, 0), receiver, is_lit);
+    const T c = lit(fetch, texel + glm::ivec2(0, 1), receiver, is_lit);
+    return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
+}
+
+/// A packed map as the fetch callable that filters take.
+/// @param fetch      ivec2 -> texel, e.g. bordered(map, encoding.cleared()); a map stands for clamped(map)
+/// @param encoding   one of encodings.hpp
+/// @throws std::invalid_argument  empty map
+template <std::invocable<glm::ivec2> Fetch, class Encoding>
+[[nodiscard]] auto decoded(Fetch fetch, Encoding encoding) {
+    return [fetch, encoding](glm::ivec2 texel) { return encoding.decode(fetch(texel)); };
+}
+template <class Texel, class Encoding>
+[[nodiscard]] auto decoded(image_view<Texel> map, Encoding encoding) {
+    return decoded(clamped(map), encoding);
+}
+template <class Texel, class Encoding>
+[[nodiscard]] auto decoded(const image<Texel>& map, Encoding encoding) {
+    return decoded(map.view(), encoding);
+}
+
+namespace glsl {
+
+inline constexpr snippet inside_texel_space{
+    .name = "inside_texel_space",
+    .summary = "coordinates a filter can take",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet is_compared{
+    .name = "is_compared",
+    .summary = "receivers that a filter compares; it takes the others as lit",
+    .exactness = tier::a,
+    .needs = list<&inside_texel_space, &beyond_far>,
+    .source = R"GLSL(
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+)GLSL",
+};
+
+/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined
+/// beforehand, makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
+inline constexpr snippet fetch_depth{
+    .name = "fetch_depth",
+    .summary = "stored depth of a texel",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped, &fetch_bordered, &cleared_depth>,
+    .role = hook::fetch_depth,
+    .source = R"GLSL(
+// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
+// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+#ifndef UMBRAGE_FETCH
+#ifndef UMBRAGE_OUTSIDE_LIT
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+#else
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
+#endif
+#endif
+// umbrage_fetch_depth: stored depth of a texel
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return UMBRAGE_FETCH(map, size, texel);
+}
+)GLSL",
+};
+
+inline constexpr snippet lit{
+    .name = "lit",
+    .summary = "one comparison with a texel",
+    .exactness = tier::a,
+    .needs = list<&compare, &fetch_depth>,
+    .role = hook::lit,
+    .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+)GLSL",
+};
+
+inline constexpr snippet lit_2x2{
+    .name = "lit_2x2",
+    .summary = "comparisons with the 2x2 texels from one on",
+    .exactness = tier::a,
+    .needs = list<&lit>,
+    .role = hook::lit_2x2,
+    .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    return vec4(a, b, c, d);
+}
+)GLSL",
+};
+
+/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
+inline constexpr snippet depth_at{
+    .name = "depth_at",
+    .summary = "stored depth at a point of the map",
+    .exactness = tier::c,
+    .operations = 4,
+    .needs = list<&fetch_depth>,
+    .role = hook::depth_at,
+    .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+)GLSL",
+};
+
+inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, &inside_texel_space,
+                                                       &is_compared, &lit,      &lit_2x2};
+
+}  // namespace glsl
+}  // namespace umbrage

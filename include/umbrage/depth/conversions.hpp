@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+//
+// Kinds of depth, and the way from one to another.
+//   z/w               what the rasterizer interpolates: project_depth
+//   linear depth      view-space distance along the light's axis over z_far: linear_depth
+//   radial distance   from the light to the point over its range: distance_depth
+//   reversed          1 - depth; what comes from it directly keeps the digits that 1 - depth drops
+//
+//     float d = umbrage::linear_depth(-view_position.z, 1.0f / z_far);
+//
+#pragma once
+
+#include <cmath>
+
+#include <glm/vec3.hpp>
+
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
+
+namespace umbrage {
+
+/// @param z_view      distance along the light's axis, positive in front of it
+/// @param inv_z_far   1 / z_far
+/// @return            0 at the light, 1 at the far plane; not clamped
+/// @formula           z_view * inv_z_far
+/// @exactness         B, n = 1: one product
+template <real T>
+[[nodiscard]] constexpr T linear_depth(T z_view, T inv_z_far) {
+    return z_view * inv_z_far;
+}
+
+/// @param z, w    clip coordinates
+/// @param cleared cleared_depth of the clip space: 1, or 0 when reversed
+/// @return        z / w; cleared, which is far, for w <= 0 (not in front of the light) and NaN in w
+/// @exactness     C, n = 3: one division
+template <real T>
+[[nodiscard]] constexpr T project_depth(T z, T w, T cleared) {
+    return w > T(0) && !is_nan(w) ? z / w : cleared;
+}
+
+/// @param to_point    from the light to the point
+/// @param inv_range   1 / range of the light
+/// @return            0 at the light, 1 at its range; not clamped
+/// @formula           |to_point| * inv_range
+/// @exactness         C, n = 9: a square root
+template <real T>
+[[nodiscard]] T distance_depth(glm::vec<3, T> to_point, T inv_range) {
+    return std::sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
+}
+
+/// Forward depth from reversed, or reversed from forward.
+/// @formula       1 - depth
+/// @exactness     B, n = 1: one subtraction, exact for depth in [1/2, 2] and for multiples of 2^-24 in [0, 1]
+template <real T>
+[[nodiscard]] constexpr T reverse_depth(T depth) {
+    return T(1) - depth;
+}
+
+/// Depth in [0, 1] from z/w in [-1, 1], the OpenGL convention.
+/// @formula       ndc / 2 + 1/2
+/// @exactness     B, n = 2: one sum
+template <real T>
+[[nodiscard]] constexpr T depth_from_ndc(T ndc) {
+    return ndc * T(0.5) + T(0.5);
+}
+
+/// Perspective depth to distance along the light's axis.
+///
+/// @param depth           z/w in [0, 1], 0 at the near plane
+/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
+/// @return                z_near .. z_far; not clamped
+/// @formula               n / (1 - depth (1 - n / f))
+/// @exactness             C, n = 8: two divisions. At depth near 1, the last bits of depth decide the distance
+template <real T>
+[[nodiscard]] constexpr T view_z_from_depth(T depth, T z_near, T z_far) {
+    return z_near / (T(1) - depth * (T(1) - z_near / z_far));
+}
+
+/// Distance along the light's axis to perspective depth.
+///
+/// @param z_view          > 0
+/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
+/// @return                z/w in [0, 1], 0 at the near plane; not clamped
+/// @formula               (1 - n / z) / (1 - n / f)
+/// @exactness             C, n = 10: three divisions
+template <real T>
+[[nodiscard]] constexpr T depth_from_view_z(T z_view, T z_near, T z_far) {
+    return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
+}
+
+/// Reversed perspective depth to distance along the light's axis.
+///
+/// @param depth           z/w in [0, 1], 1 at the near plane
+/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
+/// @return                z_near .. z_far; not clamped
+/// @formula               n / (n / f + depth (1 - n / f)): within 3 ulp of the distance for depth in [0, 1], as nothing
+///                        cancels; by way of 1 - depth thousands of ulp are lost far out
+/// @exactness             C, n = 11: two divisions
+template <real T>
+[[nodiscard]] constexpr T view_z_from_reversed_depth(T depth, T z_near, T z_far) {
+    return z_near / (z_near / z_far + depth * (T(1) - z_near / z_far));
+}
+
+/// Distance along the light's axis to reversed perspective depth.
+///
+/// @param z_view          > 0, finite
+/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
+/// @return                z/w in [0, 1], 1 at the near plane; not clamped
+/// @formula               n / z (1 - z / f) / (1 - n / f)
+/// @exactness             C, n = 13: four divisions
+template <real T>
+[[nodiscard]] constexpr T reversed_depth_from_view_z(T z_view, T z_near, T z_far) {
+    return z_near / z_view * (T(1) - z_view / z_far) / (T(1) - z_near / z_far);
+}
+
+/// Orthographic depth, a directional light's, to distance along the light's axis.
+///
+/// @param depth           z/w in [0, 1], 0 at the near plane
+/// @param z_near, z_far   z_near < z_far; when reversed, exchange the two: digits are kept, without 1 - depth
+/// @return                z_near .. z_far; not clamped
+/// @formula               n + depth (f - n)
+/// @exactness             B, n = 3: sums and a product
+template <real T>
+[[nodiscard]] constexpr T view_z_from_orthographic_depth(T depth, T z_near, T z_far) {
+    return z_near + depth * (z_far - z_near);
+}
+
+/// Distance along the light's axis to orthographic depth, a directional light's.
+///
+/// @param z_near, z_far   z_near < z_far; when reversed, exchange the two
+/// @return                z/w in [0, 1], 0 at the near plane; not clamped
+/// @formula               (z - n) / (f - n)
+/// @exactness             C, n = 5: one division
+template <real T>
+[[nodiscard]] constexpr T orthographic_depth_from_view_z(T z_view, T z_near, T z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+
+namespace glsl {
+
+inline constexpr snippet linear_depth{
+    .name = "linear_depth",
+    .summary = "view-space z over z_far",
+    .exactness = tier::b,
+    .operations = 1,
+    .source = R"GLSL(
+// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
+    return z_view * inv_z_far;
+}
+)GLSL",
+};
+
+inline constexpr snippet project_depth{
+    .name = "project_depth",
+    .summary = "z / w, far behind the light",
+    .exactness = tier::c,
+    .operations = 3,
+    .source = R"GLSL(
+// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w, UMBRAGE_HIGHP float cleared) {
+    return w > 0.0 ? z / w : cleared;
+}
+)GLSL",
+};
+
+inline constexpr snippet distance_depth{
+    .name = "distance_depth",
+    .summary = "distance to the light over its range",
+    .exactness = tier::c,
+    .operations = 9,
+    .source = R"GLSL(
+// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+UMBRAGE_HIGHP float umbrage_distance_depth(UMBRAGE_HIGHP vec3 to_point, UMBRAGE_HIGHP float inv_range) {
+    return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
+}
+)GLSL",
+};
+
+inline constexpr snippet reverse_depth{
+    .name = "reverse_depth",
+    .summary = "1 - depth",
+    .exactness = tier::b,
+    .operations = 1,
+    .source = R"GLSL(
+// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+UMBRAGE_HIGHP float umbrage_reverse_depth(UMBRAGE_HIGHP float depth) {
+    return 1.0 - depth;
+}
+)GLSL",
+};
+
+inline constexpr snippet depth_from_ndc{
+    .name = "depth_from_ndc",
+    .summary = "z/w in [-1, 1] to depth in [0, 1]",
+    .exactness = tier::b,
+    .operations = 2,
+    .source = R"GLSL(
+// umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
+UMBRAGE_HIGHP float umbrage_depth_from_ndc(UMBRAGE_HIGHP float ndc) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ndc * 0.5 + 0.5;
+    return depth;
+}
+)GLSL",
+};
+
+inline constexpr snippet view_z_from_depth{
+    .name = "view_z_from_depth",
+    .summary = "perspective depth to view-space z",
+    .exactness = tier::c,
+    .operations = 8,
+    .source = R"GLSL(
+// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                              UMBRAGE_HIGHP float z_far) {
+    return z_near / (1.0 - depth * (1.0 - z_near / z_far));
+}
+)GLSL",
+};
+
+inline constexpr snippet depth_from_view_z{
+    .name = "depth_from_view_z",
+    .summary = "view-space z to perspective depth",
+    .exactness = tier::c,
+    .operations = 10,
+    .source = R"GLSL(
+// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                              UMBRAGE_HIGHP float z_far) {
+    return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
+}
+)GLSL",
+};
+
+inline constexpr snippet view_z_from_reversed_depth{
+    .name = "view_z_from_reversed_depth",
+    .summary = "reversed perspective depth to view-space z",
+    .exactness = tier::c,
+    .operations = 11,
+    .source = R"GLSL(
+// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+UMBRAGE_HIGHP float umbrage_view_z_from_reversed_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                                       UMBRAGE_HIGHP float z_far) {
+    return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
+}
+)GLSL",
+};
+
+inline constexpr snippet reversed_depth_from_view_z{
+    .name = "reversed_depth_from_view_z",
+    .summary = "view-space z to reversed perspective depth",
+    .exactness = tier::c,
+    .operations = 13,
+    .source = R"GLSL(
+// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+UMBRAGE_HIGHP float umbrage_reversed_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                                       UMBRAGE_HIGHP float z_far) {
+    return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
+}
+)GLSL",
+};
+
+inline constexpr snippet view_z_from_orthographic_depth{
+    .name = "view_z_from_orthographic_depth",
+    .summary = "orthographic depth to view-space z",
+    .exactness = tier::b,
+    .operations = 3,
+    .source = R"GLSL(
+// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
+// axis; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_view_z_from_orthographic_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z_view = z_near + depth * (z_far - z_near);
+    return z_view;
+}
+)GLSL",
+};
+
+inline constexpr snippet orthographic_depth_from_view_z{
+    .name = "orthographic_depth_from_view_z",
+    .summary = "view-space z to orthographic depth",
+    .exactness = tier::c,
+    .operations = 5,
+    .source = R"GLSL(
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+)GLSL",
+};
+
+inline constexpr const auto& kinds_snippets =
+    list<&linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
+         &depth_from_view_z, &view_z_from_reversed_depth, &reversed_depth_from_view_z, &view_z_from_orthographic_depth,
+         &orthographic_depth_from_view_z>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
+// none is called receiver by receiver.
+//
+// A form states what it needs of a map and the smallest width and height that it can take; with_blocks() hands its
+// blocks to `use`. Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs
+// floats, it gets const float_texels&. A form clamps texels to the map's edge; outside_map::lit is for visibility() to
+// see to, which asks the filter's reach().
+//
+// Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
+// where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
+// the row of pixels that the block lies in; its column is a multiple of 64. `count` receivers of a block are there:
+// loops go to `block` all the same, a number that compilers vectorise by, and what the rest gives is ignored. `Isa` is
+// the instruction set that the code is compiled for. Every function and lambda of it is UMBRAGE_INLINE: dispatch.hpp
+// says why.
+//
+// Blocks that leave work for later have a type `tile` with a number `rows`. They come tile by tile, so many above each
+// other; the second step gets the tile besides, and finish(tile, set) is called behind its last block, before results
+// are taken. hierarchical.hpp does so.
+//
+// unit/images/blocks/form and form/coherent hold each form to its filter, bit by bit.
+//
+//     template <>
+//     struct block_form<filters::pcf_2x2> {
+//         static constexpr map_need need = map_need::texels;
+//         static constexpr int least = 2;
+//         template <depth_direction Direction, class Map, class ParallelFor, class Use>
+//         static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+//             use(pcf_2x2_blocks<Direction, Map>{map});
+//         }
+//     };
+//
+#pragma once
+
+namespace umbrage::detail {
+
+/// What the blocks of a filter read.
+enum class map_need {
+    texels,  ///< a few texels a receiver: as they are stored, where that has a fast form, or floats
+    floats,  ///< many: decoding each for each receiver would cost more than decoding the map once
+};
+
+template <class Filter>
+struct block_form;
+
+/// Of blocks that leave nothing for later: a row.
+struct one_row {
+    static constexpr int rows = 1;
+};
+template <class Blocks>
+struct tile_of {
+    using type = one_row;
+};
+template <class Blocks>
+requires requires { typename Blocks::tile; }
+struct tile_of<Blocks> {
+    using type = typename Blocks::tile;
+};
+
+template <class Filter>
+concept has_block_form = requires {
+    block_form<Filter>::need;
+};
+
+}  // namespace umbrage::detail

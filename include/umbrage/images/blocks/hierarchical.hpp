@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+//
+// Filters over many texels for receivers most of which are wholly lit or wholly in shadow: those ask one number for all
+// of them. visibility() does it for filters::hierarchical_box, hierarchical_window and hierarchical_disc, which give
+// bit for bit what filters::box, window and rotated_disc do.
+//
+//     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
+//
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include <glm/vec2.hpp>
+
+#include <umbrage/images/blocks/box.hpp>
+#include <umbrage/images/blocks/box_bounds.hpp>
+#include <umbrage/images/blocks/disc.hpp>
+#include <umbrage/images/blocks/map_tile.hpp>
+#include <umbrage/images/blocks/window.hpp>
+#include <umbrage/images/parallel.hpp>
+
+namespace umbrage::detail {
+
+/// A block of which no receiver is compared, as all over the sky.
+UMBRAGE_INLINE inline void light_all(float* visibility) {
+    for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
+}
+
+/// What bounds say of a block: lit or dark, and which receivers are open, as their texels differ.
+/// @return   whether any is open: not 0
+template <class Test>
+UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std::int32_t* offsets,
+                                              const std::int32_t* compared, const float* depths, float* visibility,
+                                              std::int32_t* open) {
+    const texel_bytes<const glm::vec2> memory(tree.bounds.view);
+    alignas(64) glm::vec2 bounds[block];
+    std::int32_t any = 0;
+    gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
+    for (int i = 0; i < block; ++i) {
+        const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
+        const std::int32_t dark = Test::none_lit(depths[i], bounds[i].x, bounds[i].y);
+        visibility[i] = select(-lit | ~compared[i], 1.0f, 0.0f);
+        open[i] = compared[i] & ~-(lit | dark);
+        any |= open[i];
+    }
+    return any;
+}
+
+/// The open receivers of a tile of 64 x 8. They lie close to each other, so that one copy of the map serves them all,
+/// and fill their blocks, which those of a row alone do not.
+struct open_receivers {
+    static constexpr int rows = 8, room = rows * block;
+    alignas(64) float xs[room], ys[room], zs[room];
+    float* visibility[room];
+    int count = 0;
+    map_tile texels;
+
+    UMBRAGE_INLINE void add(const receiver_block& r, const std::int32_t* open, int of, float* out) {
+        const auto word = [](float& to, const float& from)
+                              UMBRAGE_INLINE { std::memcpy(&to, &from, sizeof to); };  // more a cycle than floats
+        int end = count;
+        for (int i = 0; i < of; ++i) {
+            word(xs[end], r.xs[i]);
+            word(ys[end], r.ys[i]);
+            word(zs[end], r.zs[i]);
+            visibility[end] = out + i;
+            end -= open[i];
+        }
+        count = end;
+    }
+
+    /// Copies behind them: if all boxes of a block are in the map, none needs care.
+    UMBRAGE_INLINE void fill_last_block() {
+        for (int i = count; i % block != 0; ++i) xs[i] = xs[0], ys[i] = ys[0], zs[i] = zs[0];
+    }
+};
+
+/// @tparam Blocks   of the filter that reads every texel of its box
+template <class Blocks>
+struct hierarchical_blocks {
+    using test = typename Blocks::test;
+    using tile = open_receivers;
+    struct placed {
+        receiver_block r;
+        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< of those that are compared
+    };
+    const box_bounds& tree;
+    Blocks every_texel;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
+        const int before = tree.cells - 1, level = tree.level;
+        const glm::ivec2 last = tree.last;
+        std::int32_t any = 0;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            any |= at.compared[i];
+        }
+        at.any = any;
+        if (!any) return;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = every_texel.first(masked(at.r.x(i), at.compared[i]));
+            const std::int32_t y = every_texel.first(masked(at.r.y(i), at.compared[i]));
+            at.offsets[i] =
+                memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+        }
+        prefetch(memory, at.offsets, 1);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, tile& later, Isa) const {
+        alignas(64) std::int32_t open[block];
+        if (!at.any) return light_all(visibility);
+        if (ask_bounds<test>(tree, at.offsets, at.compared, at.r.zs, visibility, open))
+            later.add(at.r, open, count, visibility);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void finish(tile& later, Isa set) const {
+        if (later.count > 0) out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(later, set); });
+    }
+
+private:
+    template <class Isa>
+    UMBRAGE_INLINE void count_open(tile& open, Isa set) const {
+        Blocks reads = every_texel;
+        open.fill_last_block();
+        if (map_tile::helps(reads.map.stride, reads.side())) read_copy(open, reads.map);
+        alignas(64) float shares[block];
+        typename Blocks::placed boxes;
+        for (int from = 0; from < open.count; from += block) {
+            const int count = lesser(open.count - from, block);
+            reads.place(receiver_rows{open.xs + from, open.ys + from, open.zs + from}, boxes);
+            reads(boxes, count, shares, set);
+            for (int i = 0; i < count; ++i) *open.visibility[from + i] = shares[i];
+        }
+        open.count = 0;
+    }
+
+    /// Makes the map a copy of the texels that receivers ask for, and these relative to it, where they all fit.
+    UMBRAGE_INLINE void read_copy(tile& open, image_view<const float>& map) const {
+        glm::ivec2 first(every_texel.first(open.xs[0]), every_texel.first(open.ys[0])), last = first;
+        for (int from = 0; from < open.count; from += block)
+            for (int i = from; i < from + block; ++i) {
+                const glm::ivec2 at(every_texel.first(open.xs[i]), every_texel.first(open.ys[i]));
+                first = {lesser(first.x, at.x), lesser(first.y, at.y)};
+                last = {greater(last.x, at.x), greater(last.y, at.y)};
+            }
+        last += glm::ivec2(every_texel.loaded(), every_texel.side()) - 1;
+        if (!map_tile::holds(first, last)) return;
+        if (first.x < 0 || first.y < 0 || last.x >= map.size.x || last.y >= map.size.y) return;
+        open.texels.copy(map, first, last);
+        map = {open.texels.texels[0], last - first + 1, sizeof open.texels.texels[0]};
+        const glm::vec2 moved(first);
+        for (int from = 0; from < open.count; from += block)
+            for (int i = from; i < from + block; ++i) open.xs[i] -= moved.x, open.ys[i] -= moved.y;
+    }
+};
+
+/// Turns go by the place in a block: one that has an open receiver is looked up whole.
+template <depth_direction Direction>
+struct hierarchical_disc_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        typename disc_blocks<Direction>::placed points;
+        alignas(64) std::int32_t offsets[block], any;
+    };
+    const box_bounds& tree;
+    const disc_blocks<Direction>& every_point;
+    reached_texels reached;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
+        const int before = tree.cells - 1, shift = 8 + tree.level, ahead = reached.before();
+        const glm::ivec2 last = tree.last;
+        every_point.locate(receivers, at.points, pixel_y);
+        at.any = 0;
+        for (int i = 0; i < block; ++i) at.any |= at.points.compared[i];
+        if (!at.any) return;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i)
+            at.offsets[i] = memory.offset(clamp_int(((at.points.x[i] + ahead) >> shift) + before, last.x),
+                                          clamp_int(((at.points.y[i] + ahead) >> shift) + before, last.y));
+        prefetch(memory, at.offsets, 1);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        alignas(64) std::int32_t open[block];
+        if (!at.any) return light_all(visibility);
+        if (ask_bounds<test>(tree, at.offsets, at.points.compared, at.points.z, visibility, open))
+            every_point(at.points, count, visibility, set);
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_box> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_box& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        const box_blocks<Direction> every_texel{map.map, clamp_int(filter.radius, max_box_radius)};
+        if (map.map.size.x < block) return use(every_texel);  // bounds come in whole blocks: they would outgrow the map
+        const box_bounds tree(map.map, 2 * every_texel.radius + 1, parallel);
+        use(hierarchical_blocks<box_blocks<Direction>>{tree, every_texel});
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_window> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_window& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        const window_table weights(filter.row);
+        const window_blocks<Direction> every_texel{map.map, filter.row, weights};
+        if (map.map.size.x < block) return use(every_texel);
+        const box_bounds tree(map.map, filter.row.touched(), parallel);
+        use(hierarchical_blocks<window_blocks<Direction>>{tree, every_texel});
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_disc> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_disc& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        using plain = block_form<filters::rotated_disc>;
+        plain::with_blocks<Direction>(map, filter, parallel, [&](const disc_blocks<Direction>& every_point) {
+            if (map.map.size.x < block) return use(every_point);
+            const reached_texels reached(filter.reach());
+            const box_bounds tree(map.map, reached.count(), parallel);
+            use(hierarchical_disc_blocks<Direction>{tree, every_point, reached});
+        });
+    }
+};
+
+}  // namespace umbrage::detail

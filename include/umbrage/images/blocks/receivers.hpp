@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+//
+// Blocks of 64 receivers, wherever they come from: x(i), y(i) in texels, z(i) depth.
+//
+//     use_receivers(receivers, walk, set, [&](const auto& of_block) { blocks.place(of_block, placed); });
+//
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <umbrage/core/config.hpp>
+#include <umbrage/images/receivers.hpp>
+#include <umbrage/simd/bits.hpp>
+#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/memory.hpp>
+
+namespace umbrage::detail {
+
+/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
+struct receiver_texels {
+    const glm::vec3* first;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
+};
+
+/// The same in three planes.
+struct receiver_rows {
+    const float *first_x, *first_y, *first_z;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
+};
+
+/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
+struct receiver_block {
+    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
+    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
+        xs[i] = x_at;
+        ys[i] = y_at;
+        zs[i] = depth;
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void copy(const Receivers& from) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
+    }
+};
+
+/// A walk over the blocks of some rows: tile by tile, each of so many rows, from the first up to `last`.
+struct block_walk {
+    int x, y, width;
+    int rows = 1, last = 0;  ///< which one row of blocks after the other need not know
+    int first = y;           ///< of the tile
+
+    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
+    [[nodiscard]] UMBRAGE_INLINE bool ends_tile() const { return y + 1 == first + rows || y + 1 == last; }
+    UMBRAGE_INLINE void step() {
+        if (!ends_tile()) ++y;
+        else if (x += block; x < width) y = first;
+        else x = 0, first = ++y;
+    }
+};
+
+/// Hands a block of receivers on: whole ones where they are, others as a copy.
+template <class Receivers, class Use>
+UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
+    if (count == block) return use(receivers);
+    receiver_block copy;
+    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa,
+                                         const Use& use) {
+    const receiver_texels receivers{from.row(at.y) + at.x};
+    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
+    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+    copy.copy(receivers);
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
+    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(),
+              use);
+}
+
+/// receiver_at for a block.
+template <class = on_use>
+inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
+    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
+        const float y = static_cast<float>(at.y) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
+            const auto sum = [&](glm::length_t k)
+                                 UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const float w = sum(3);
+            const auto bits = detail::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.zs[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
+    receiver_block r;
+    load(seen, at, r);
+    use(r);
+}
+
+/// Starts to fetch the receivers some blocks ahead, or of the next tile: hardware prefetching stops at the end of a
+/// page.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
+    const int bytes = block * static_cast<int>(sizeof(T)), blocks = at.rows == 1 ? 4 : 1;
+    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
+}
+UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
+    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
+}
+UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
+
+}  // namespace umbrage::detail

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+//
+// Contact hardening over blocks of receivers: discs as in disc.hpp, with a radius for each receiver.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <umbrage/filter/blocker/dpcf.hpp>
+#include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/images/blocks/disc.hpp>
+#include <umbrage/images/blocks/form.hpp>
+#include <umbrage/images/blocks/receivers.hpp>
+#include <umbrage/images/blocks/texels.hpp>
+
+namespace umbrage::detail {
+
+/// floor(a / b); 0 <= a < 2^24, 1 <= b, as floor_divide.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t divide_int(std::int32_t a, std::int32_t b) {
+    auto q = static_cast<std::int32_t>(static_cast<float>(a) / static_cast<float>(b));
+    q -= std::int32_t(q * b > a);
+    return q + std::int32_t((q + 1) * b <= a);
+}
+
+/// @tparam Filter   filters::pcss or filters::dpcf
+template <depth_direction Direction, class Filter>
+struct soft_blocks : disc_blocks<Direction> {
+    using discs = disc_blocks<Direction>;
+    using test = typename discs::test;
+    using placed = typename discs::placed;
+    static constexpr std::int32_t far_code = 65535;
+    static constexpr bool filters_again = std::is_same_v<Filter, filters::pcss>;
+
+    float per_code;
+    std::int32_t least, widest;
+
+    /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
+    static disc_table turned_points(const Filter& filter) {
+        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
+    }
+    soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
+        : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
+          per_code(filter.softness.per_code),
+          least(static_cast<std::int32_t>(filter.softness.least)),
+          widest(static_cast<std::int32_t>(filter.softness.widest)) {}
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
+        out_of_line(set, [&](auto) UMBRAGE_INLINE { soften(at, visibility); });
+    }
+
+private:
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t distance_code_of(float depth) {
+        const std::int32_t number = number_mask(depth), x = floor_within(depth * 65536.0f, 65535.0f);
+        return ((test::forward ? x : far_code - x) & number) | (far_code & ~number);
+    }
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t radius(std::int32_t apart) const {
+        const std::int32_t r = floor_int(static_cast<float>(apart) * per_code);
+        const std::int32_t above = r > least ? r : least;
+        return above < widest ? above : widest;
+    }
+
+    /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.
+    template <class Use>
+    UMBRAGE_INLINE void for_each_tap(const placed& at, const std::int32_t* radii, const Use& use) const {
+        const float_texels of_map{this->map};
+        const texel_bytes memory(this->map);
+        const int last_x = this->map.size.x - 1, last_y = this->map.size.y - 1;
+        loaded_texels<float_texels> texels(of_map);
+        alignas(64) std::int32_t offsets[block];
+        for (int p = 0; p < this->points; ++p) {
+            const disc_table::tap& tap = this->taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
+            for (int i = 0; i < block; ++i)
+                offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
+                                           clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
+            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            use(texels);
+        }
+    }
+
+    UMBRAGE_INLINE void soften(const placed& at, float* visibility) const {
+        alignas(64) std::int32_t codes[block], searched[block], radii[block], blocked[block]{}, sums[block]{};
+        for (int i = 0; i < block; ++i) {
+            codes[i] = distance_code_of(at.z[i]);
+            searched[i] = radius(codes[i]);
+        }
+        for_each_tap(at, searched, [&](const auto& texels) UMBRAGE_INLINE {
+            std::int32_t found = 0;
+            for (int i = 0; i < block; ++i) {
+                const std::int32_t before = 1 - test::lit(at.z[i], texels.one(i));
+                blocked[i] += before;
+                found |= before;
+            }
+            if (found == 0) return;  // most blocks of a picture are lit
+            for (int i = 0; i < block; ++i)
+                sums[i] += distance_code_of(texels.one(i)) & -(1 - test::lit(at.z[i], texels.one(i)));
+        });
+        std::int32_t any = 0;
+        for (int i = 0; i < block; ++i) {
+            any |= blocked[i] & at.compared[i];
+            radii[i] = radius(codes[i] - divide_int(sums[i], blocked[i] > 1 ? blocked[i] : 1));
+        }
+        if (any == 0) {
+            for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
+        } else if constexpr (filters_again) {
+            alignas(64) std::int32_t lit[block]{};
+            for_each_tap(at, radii, [&](const auto& texels) UMBRAGE_INLINE {
+                for (int i = 0; i < block; ++i) lit[i] += test::lit(at.z[i], texels.one(i));
+            });
+            const float share = 1.0f / static_cast<float>(this->points);
+            UMBRAGE_NO_OVERLAP
+            for (int i = 0; i < block; ++i)
+                visibility[i] =
+                    select(at.compared[i] & -std::int32_t(blocked[i] > 0), static_cast<float>(lit[i]) * share, 1.0f);
+        } else {
+            const std::int32_t n = this->points, cube = n * n * n;
+            const float share = 1.0f / (512.0f * static_cast<float>(cube));
+            UMBRAGE_NO_OVERLAP
+            for (int i = 0; i < block; ++i) {
+                const std::int32_t ratio = divide_int(radii[i] * 256, searched[i] > 1 ? searched[i] : 1);
+                const std::int32_t u = blocked[i] * 2 - n, d = n - (u < 0 ? -u : u), steep = cube - d * d * d;
+                const std::int32_t hard = u < 0 ? cube - steep : cube + steep;
+                const std::int32_t dark = hard * (256 - ratio) + blocked[i] * ratio * (2 * n * n);
+                visibility[i] = select(at.compared[i], 1.0f - static_cast<float>(dark) * share, 1.0f);
+            }
+        }
+    }
+};
+
+template <class Filter>
+struct soft_form {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
+        using blocks = soft_blocks<Direction, Filter>;
+        const disc_table turned = blocks::turned_points(filter);
+        use(blocks(map.map, turned, filter));
+    }
+};
+template <>
+struct block_form<filters::pcss> : soft_form<filters::pcss> {};
+template <>
+struct block_form<filters::dpcf> : soft_form<filters::dpcf> {};
+
+}  // namespace umbrage::detail

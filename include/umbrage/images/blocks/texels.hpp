@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+//
+// Maps as blocks of receivers see them: floats, and the two channels of rg with any number of bits. What else there is
+// is decoded to floats first. A block's texels are loaded word by word, and compared in loops that vectorise.
+//
+//     umbrage::detail::loaded_texels<float_texels> texels(map);
+//     texels.load_one([&](int i) { return memory.at(offsets[i]); });
+//     lit += test::lit(texels.receiver(depth), texels.one(i));
+//
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include <glm/vec2.hpp>
+
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/depth/rg.hpp>
+#include <umbrage/simd/bits.hpp>
+#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/lanes.hpp>
+#include <umbrage/simd/memory.hpp>
+
+namespace umbrage::detail {
+
+/// The comparison of a direction, in numbers and masks.
+template <depth_direction Direction>
+struct block_test {
+    static constexpr bool forward = Direction == depth_direction::forward;
+
+    /// 1 when lit. A NaN is not.
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t lit(float receiver, float stored) {
+        return forward ? is_lit(receiver, stored) : is_lit(stored, receiver);
+    }
+    /// Of texels whose depths lie between bounds, the lower a NaN where one is: whether all are lit; whether none is.
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t all_lit(float receiver, float least, float greatest) {
+        return forward ? is_lit(receiver, least) : is_lit(greatest, receiver) & is_lit(least, greatest);
+    }
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t none_lit(float receiver, float least, float greatest) {
+        return forward ? std::int32_t(receiver > greatest) : std::int32_t(receiver < least) & number_mask(least);
+    }
+    /// is_compared as a mask.
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t compared(float x, float y, float z) {
+        return texel_space_mask(x, y) & ~beyond_far_mask<forward>(z);
+    }
+};
+
+/// A map of floats.
+struct float_texels {
+    using texel = float;
+    image_view<const float> map;
+};
+
+/// A map of rg.
+struct rg_texels {
+    using texel = glm::u8vec2;
+    image_view<const glm::u8vec2> map;
+    int bits;
+    float edge;
+};
+
+/// Where a block of words comes from, at(i), and where it goes.
+template <class At>
+struct gathered {
+    void* to;
+    At at;
+};
+template <class At>
+gathered(void*, At) -> gathered<At>;
+
+/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once
+/// than they can hold.
+template <class Word, class... At>
+UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
+    const auto word = [](const void* from) UMBRAGE_INLINE {
+        Word w;
+        std::memcpy(&w, from, sizeof w);
+        return w;
+    };
+    using words = lanes_of<Word, 16 / sizeof(Word)>;
+    constexpr std::size_t some = sizeof(words) / sizeof(Word);
+    const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
+        const words together{word(from.at(i + static_cast<int>(I)))...};
+        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together,
+                    sizeof together);
+    };
+    for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
+}
+
+/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbours of two rows.
+template <class Map>
+struct loaded_texels;
+
+/// Floats need no decoding, and two of them are one word.
+template <>
+struct loaded_texels<float_texels> {
+    alignas(64) float depths[2 * block];
+    explicit loaded_texels(const float_texels&) {}
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        gather<std::uint32_t>(gathered{depths, at});
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint64_t>(gathered{low.depths, at}, gathered{high.depths, below});
+    }
+    UMBRAGE_INLINE float receiver(float depth) const { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^bits times the depth, which changes no
+/// result.
+template <>
+struct loaded_texels<rg_texels> {
+    static constexpr bool little = std::endian::native == std::endian::little;
+    static constexpr std::uint32_t low_bytes = 0x00FF00FF;
+    alignas(64) std::uint32_t words[block];
+    float edge, scale;
+    int up;  ///< bits - 8: the code is R + 2^up G
+    std::uint32_t high_bytes;
+
+    explicit UMBRAGE_INLINE loaded_texels(const rg_texels& map)
+        : edge(map.edge), scale(static_cast<float>(1 << map.bits)), up(map.bits - 8), high_bytes(low_bytes << up) {}
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, at(i), sizeof word);
+            words[i] = word;
+        }
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint32_t>(gathered{low.words, at}, gathered{high.words, below});
+    }
+    UMBRAGE_INLINE float receiver(float depth) const { return depth * scale; }
+    UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
+    UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
+    UMBRAGE_INLINE float second(int i) const { return number(little ? codes(i) >> 16 : codes(i) & 0xFFFF); }
+    /// R + 2^(bits - 8) G of both texels at once, in the two halves of a word.
+    UMBRAGE_INLINE std::uint32_t codes(int i) const {
+        const std::uint32_t w = words[i];
+        return little ? (w & low_bytes) + (w >> (8 - up) & high_bytes) : (w >> 8 & low_bytes) + ((w & low_bytes) << up);
+    }
+    UMBRAGE_INLINE float number(std::uint32_t code) const {
+        return static_cast<float>(static_cast<std::int32_t>(code)) + edge;
+    }
+};
+
+/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+template <class T>
+struct texel_bytes {
+    const std::byte* data;
+    std::int32_t stride;
+
+    explicit texel_bytes(const image_view<T>& map)
+        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+    static bool fits(const image_view<T>& map) {
+        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
+        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
+               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
+    }
+    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
+        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+    }
+    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
+    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
+};
+
+/// Texel inside the map, without the assertion of image_view.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE inline T* texel_at(const image_view<T>& map, std::int32_t x, std::int32_t y) {
+    return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
+}
+
+/// The last texel of a map that a receiver can ask for whose texels number less than `space`.
+[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
+
+/// Starts to fetch the texels of a block, of which neighbours mostly share a cache line. Where a block starts on
+/// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
+/// receivers come to that lie askew to the map.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
+    for (int row = -1; row <= rows; ++row)
+#pragma GCC unroll 4
+        for (int i = 0; i < block; i += 16)
+            prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
+}
+
+}  // namespace umbrage::detail

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// Rows of an image that are drawn to, in place or in a copy, where they do not contend for the cache.
+//
+//     band_buffer<> buffer;  // of a thread, for one band after the other
+//     buffer.begin(image.rows(first, last));
+//     for (const triangles& batch : ...) {
+//         buffer.expect(batch);
+//         draw<true>(buffer.rows(), first, batch);
+//     }
+//     buffer.finish();
+//
+// A column of texels takes a cache line of each row. Where rows start a multiple of 4096 bytes apart, all these belong
+// into one set of the usual L1 cache, of 64 sets of 8 lines: stores wait for their lines, which the loads of later rows
+// have evicted meanwhile, and tall triangles take two to four times as long.
+//
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include <umbrage/core/config.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/images/raster/triangles.hpp>
+
+namespace umbrage::detail {
+
+template <class = on_use>
+class band_buffer {
+public:
+    /// @param rows   which nobody else uses until finish()
+    void begin(const image_view<float>& rows) {
+        in_place_ = rows_ = rows;
+        left_ = bounds_a_texel(rows) * rows.size.x * rows.size.y;
+    }
+
+    /// Where they are now.
+    [[nodiscard]] const image_view<float>& rows() const { return rows_; }
+
+    /// Before triangles are drawn, from a batch after set_up(): copies the rows when these are the ones that make it
+    /// worth the time.
+    void expect(const triangles& batch) {
+        if (left_ <= 0) return;
+        for (int i = 0; i < batch.count; ++i) left_ -= std::int64_t(batch.rows[i]) * batch.columns[i];
+        if (left_ > 0) return;
+        constexpr std::size_t line = 64;
+        const std::size_t lines = ((row_bytes() + line - 1) / line) | 1;  // odd: 64 rows begin in as many sets
+        buffer_.resize(lines * line / sizeof(float) * std::size_t(rows_.size.y));
+        rows_ = {buffer_.data(), in_place_.size, static_cast<std::ptrdiff_t>(lines * line)};
+        copy(in_place_, rows_);
+    }
+
+    void finish() {
+        if (rows_.data != in_place_.data) copy(rows_, in_place_);
+    }
+
+private:
+    /// How many triangles' bounds a texel lies in, on average, when contention has cost as much time as copying there
+    /// and back does: in one set of the cache or, at less cost, in two. So the choice costs no more than the best one
+    /// once more. 0: rows do not contend, and 8 of them never do.
+    [[nodiscard]] static std::int64_t bounds_a_texel(const image_view<float>& rows) {
+        if (rows.size.y <= 8) return 0;
+        return rows.stride % 4096 == 0 ? 2 : rows.stride % 2048 == 0 ? 8 : 0;
+    }
+
+    [[nodiscard]] std::size_t row_bytes() const { return std::size_t(in_place_.size.x) * sizeof(float); }
+
+    void copy(const image_view<float>& from, const image_view<float>& to) const {
+        for (int y = 0; y < from.size.y; ++y) std::memcpy(to.row(y), from.row(y), row_bytes());
+    }
+
+    image_view<float> in_place_, rows_;
+    std::int64_t left_ = 0;  // texels in bounds until they are copied
+    std::vector<float, line_allocator<float>> buffer_;
+};
+
+}  // namespace umbrage::detail

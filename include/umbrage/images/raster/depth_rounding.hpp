@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+//
+// Depths of texels side by side: two registers of doubles to one of floats, rounded to the nearest.
+//
+//     const depths_of_binade<8> depths(lowest);
+//     depths.count(first, second);  // the texels 0 .. 7, in the lanes in which it takes their depths
+//     depths.round(first, second, floats);
+//
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+#include <umbrage/core/config.hpp>
+#include <umbrage/images/raster/triangles.hpp>
+#include <umbrage/simd/bits.hpp>
+#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/lanes.hpp>
+#include <umbrage/simd/strict_math.hpp>
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Any depths, limited to a triangle's. Floats above 0 are in the order of their bits.
+template <int Lanes>
+class any_depths {
+public:
+    using ints = lanes_of<std::int32_t, Lanes>;
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    /// @param lowest,highest  normal numbers above 0
+    UMBRAGE_INLINE any_depths(double lowest, double highest)
+        : lowest_(bit_cast<std::int32_t>(static_cast<float>(lowest)) + ints{}),
+          highest_(bit_cast<std::int32_t>(static_cast<float>(highest)) + ints{}) {}
+
+    UMBRAGE_INLINE static void count(doubles& first, doubles& second) {
+        count_lanes<double, Lanes / 2>(first);
+        second = first + double(Lanes / 2);
+    }
+    UMBRAGE_INLINE void round(const doubles& first, const doubles& second, floats& depths) const {
+        narrow_lanes<float, Lanes>(first, second, depths);
+        ints bits = reinterpret_cast<ints>(depths);
+        keep_greatest(lowest_, bits);
+        keep_least(highest_, bits);
+        depths = reinterpret_cast<floats>(bits);
+    }
+
+private:
+    ints lowest_, highest_;
+};
+
+/// Depths from a power of two to the next, where floats are one step apart. A sum with a large number is rounded to
+/// that step, and the number is such that the sum's lower half then is the float: to convert doubles takes processors
+/// several times as long. Of other depths it makes anything.
+template <int Lanes>
+class depths_of_binade {
+public:
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    /// @param one   of the depths
+    UMBRAGE_INLINE explicit depths_of_binade(double one) {
+        const std::int32_t power = bit_cast<std::int32_t>(static_cast<float>(one)) & 0x7F800000, steps = 1 << 23;
+        large_ = (0x1.8p52 + (power - steps)) * (static_cast<double>(bit_cast<float>(power)) / steps);
+    }
+
+    /// Two of four texels are the first register's, which leaves the lower halves of both where a shuffle needs them.
+    UMBRAGE_INLINE static void count(doubles& first, doubles& second) {
+        [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+            first = doubles{double(I / 2 * 4 + I % 2)...};
+        }
+        (std::make_integer_sequence<int, Lanes / 2>{});
+        second = first + 2.0;
+    }
+    UMBRAGE_INLINE void round(const doubles& first, const doubles& second, floats& depths) const {
+        const doubles a = first + large_, b = second + large_;
+        [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+            shuffle<(I / 4 * 4 + I % 2 * 2 + I % 4 / 2 * Lanes)...>(reinterpret_cast<floats>(a),
+                                                                    reinterpret_cast<floats>(b), depths);
+        }
+        (std::make_integer_sequence<int, Lanes>{});
+    }
+
+private:
+    double large_;
+};
+
+/// Which triangles of a batch depths_of_binade is for: corners' depths as floats are normal numbers up to 1 with one
+/// exponent, and those of the plane there are the same floats, so that samples, which lie between, need no limit.
+class triangles_of_binade {
+public:
+    /// @param batch   after set_up()
+    UMBRAGE_INLINE explicit triangles_of_binade(const triangles& batch) {
+        using bits = std::int64_t;
+        constexpr bits least_normal = bit_cast<bits>(0x1p-126), one = bit_cast<bits>(1.0);
+        constexpr bool little = std::endian::native == std::endian::little;
+        for (int i = 0; i < block; ++i) {  // numbers above 0 are in the order of their bits, others below them
+            const bits a = bit_cast<bits>(batch.corner_depth(0, i)), b = bit_cast<bits>(batch.corner_depth(1, i));
+            const bits c = bit_cast<bits>(batch.corner_depth(2, i)), low = a < b ? a : b, high = a < b ? b : a;
+            const bits lowest = low < c ? low : c, highest = high > c ? high : c;
+            const auto first = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(lowest)));
+            const auto last = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(highest)));
+            has_[i] = static_cast<std::int32_t>(-bits((lowest >= least_normal) & (highest <= one))) &
+                      -(std::int32_t(little) & std::int32_t(((first ^ last) & 0x7F800000) == 0));
+        }
+        for (int k = 0; k < 3; ++k)
+            for (int i = 0; i < block; ++i)
+                has_[i] &= -std::int32_t(bit_cast<std::int32_t>(static_cast<float>(batch.depth_at_corner(k, i))) ==
+                                         bit_cast<std::int32_t>(static_cast<float>(batch.corner_depth(k, i))));
+    }
+    [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return has_[i] != 0; }
+
+private:
+    alignas(64) std::int32_t has_[block];  // masks
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH

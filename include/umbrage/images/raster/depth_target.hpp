@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// Where batches are drawn to: a depth image, or band by band, each by one thread.
+//
+//     const depth_target<true> target(depth);
+//     target(batch);
+//     depth_target<true> own = target;  // a thread's
+//     own.in_band({first, last}, [&](const auto& draw) { draw(batch); });
+//
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <umbrage/core/image.hpp>
+#include <umbrage/images/raster/band_buffer.hpp>
+#include <umbrage/images/raster/depth_writer.hpp>
+#include <umbrage/images/raster/triangles.hpp>
+
+namespace umbrage::detail {
+
+template <bool Forward>
+class depth_target {
+public:
+    /// @param image   row 0 at the bottom
+    explicit depth_target(image_view<float> image) : image_(image) {}
+
+    void operator()(const triangles& batch) const { draw<Forward>(image_, 0, batch); }
+
+    /// @param rows   first <= y < second, at least one, that nobody else draws to meanwhile
+    /// @param use    (draw), which calls draw(const triangles&) for batches within these rows
+    template <class Use>
+    void in_band(const glm::ivec2& rows, const Use& use) {
+        buffer_.begin(image_.rows(rows.x, rows.y));
+        use([&](const triangles& batch) {
+            buffer_.expect(batch);
+            draw<Forward>(buffer_.rows(), rows.x, batch);
+        });
+        buffer_.finish();
+    }
+
+private:
+    image_view<float> image_;
+    band_buffer<> buffer_;
+};
+
+}  // namespace umbrage::detail

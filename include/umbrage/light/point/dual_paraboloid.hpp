@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// Two square maps around a point light, a paraboloid's image of either half of all directions in each. Shadows go by
+// distance, and straight edges become arcs: draw a mesh that tessellate has cut.
+//
+//     auto light = umbrage::make_dual_paraboloid_light<float>({.position = p, .range = 30, .border = 2, .clip = clip});
+//     auto cut = umbrage::tessellate(mesh, {p, umbrage::paraboloid_edge_angle(512, 2), 30});
+//     for (int map : {0, 1}) umbrage::rasterize_dual_paraboloid(maps[map].view(), cut.view(), light, map);
+//
+//     glm::vec3 at = umbrage::dual_paraboloid_coordinate(world - p);  // (s, t, map)
+//     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;    // in maps[int(at.z)]
+//     float depth = umbrage::distance_depth(world - p, 1.0f / 30.0f);
+//
+// A vertex shader's gl_Position is projection * umbrage_dual_paraboloid_position(world - p, map), of the mesh as it is
+// cut. What is behind the map needs a clip distance: position.w - 0.1 * distance, say.
+//
+// plane_slope does not hold for distances. The bias is that of their slope a texel, with d = normalize(world - p) and t
+// the angle between d and the surface's normal; 0.825 texels are for what tessellation leaves of places:
+//
+//     float slope = depth * 2 * (1 + std::abs(d.z)) / (512 - 2 * 2) * std::tan(t);
+//     float bias = umbrage::acne_free_bias(glm::vec2(slope * std::sqrt(0.5f)), filter.reach() + 0.825f, error);
+//
+// A border of texels sees past the half: filters then need no other map, as in point_light.hpp.
+#pragma once
+
+#include <cmath>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
+#include <umbrage/light/light_space.hpp>
+
+namespace umbrage {
+
+template <real T = float>
+struct dual_paraboloid_light {
+    glm::vec<3, T> position{T(0)};
+    T range = T(100);    ///< > 0, world units: distances from the light that have a depth
+    int map_size = 512;  ///< of either map, in texels, >= 16
+    int border = 0;      ///< texels around the half's circle, within map_size, at most an eighth of it
+    clip_space clip{};   ///< required: your API's or engine's, see clip_space.hpp
+};
+
+/// Where in its map a direction is seen: the first holds +z, the other -z, each the way round that a right-handed view
+/// along it with y up shows. Beyond its circle a map goes on in the other one, at 1 - s and the same t.
+/// @param direction   of any length of 1e-18 to 1e18; zero and NaN give coordinates that are NaN, which every filter
+///                    takes as lit
+/// @return            (s, t, map): s and t from 0 to 1 over the map's square, within its circle; map 0 or 1
+/// @formula           s = 1/2 + -x / 2 (|p| + |z|), for z < 0 with x, t = 1/2 + y / 2 (|p| + |z|): a texel is as wide
+///                    as it is high, 2 (1 + |z| / |p|) / map_size radians, in the middle twice of what it is at the rim
+/// @exactness         C, n = 32: a square root and divisions
+/// @cite              Brabec, Annen, Seidel: Shadow Mapping for Hemispherical and Omnidirectional Light Sources, 2002
+template <real T>
+[[nodiscard]] glm::vec<3, T> dual_paraboloid_coordinate(glm::vec<3, T> direction) {
+    const T square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    const bool behind = direction.z < T(0);
+    const T m = std::sqrt(square) + (behind ? -direction.z : direction.z);
+    return {((behind ? direction.x : -direction.x) + m) / (m + m), (direction.y + m) / (m + m), T(behind ? 1 : 0)};
+}
+
+/// A vertex of the depth pass, before the projection of make_dual_paraboloid_light.
+/// @param direction   from the light to the vertex
+/// @param map         0 or 1
+/// @return            (x w, y w, distance w, w): x and y from -1 to 1 in the map's half, farther out beyond it; w is 0
+///                    in the middle of the other half, and never below
+/// @formula           w = |p| + z, of map 1 |p| - z
+/// @exactness         C, n = 18: a square root
+template <real T>
+[[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
+    const bool behind = map > T(0.5);
+    const T length = std::sqrt(direction.x * direction.x + direction.y * direction.y + direction.z * direction.z);
+    const T w = length + (behind ? -direction.z : direction.z);
+    return {behind ? direction.x : -direction.x, direction.y, length * w, w};
+}
+
+/// What both maps' depth passes share: a translation to the light, and the projection for dual_paraboloid_position,
+/// with the first texel at (0, 0) of dual_paraboloid_coordinate in every convention and depths that are distance_depth,
+/// or 1 less it. Where clip is left-handed or has its first row on top, one of them, the projection is a mirror.
+/// @throws std::invalid_argument  too few texels, too wide a border, and what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> make_dual_paraboloid_light(const dual_paraboloid_light<T>& light) {
+    constexpr auto function = "make_dual_paraboloid_light";
+    detail::require(light.map_size >= 16, function, "map_size", "must be at least 16");
+    detail::require(light.border >= 0 && light.border <= light.map_size / 8, function, "border",
+                    "must be at least 0 and at most an eighth of map_size");
+    detail::require_given(light.clip, function);
+    detail::require(detail::all_finite(light.position), function, "position", "must be finite");
+    const bool in_range = light.range > T(0) && detail::is_normal(light.range) && detail::is_normal(T(1) / light.range);
+    detail::require(in_range, function, "range", "must be above 0, and it and 1 / range finite");
+    const auto [at_light, at_range] = detail::ends<T>(light.clip);
+    light_space<T> space{.clip = light.clip};
+    space.view[3] = glm::vec<4, T>(-light.position, T(1));
+    space.projection = glm::mat<4, 4, T>(T(0));
+    space.projection[0][0] = T(light.map_size - 2 * light.border) / T(light.map_size);
+    space.projection[1][1] =
+        light.clip.origin == texture_origin::bottom ? space.projection[0][0] : -space.projection[0][0];
+    space.projection[2][2] = (at_range - at_light) / light.range;
+    space.projection[3][2] = at_light;
+    space.projection[3][3] = T(1);
+    return detail::checked<T>(space, function, "position and range");
+}
+
+/// The angle from end to end, seen from the light, up to which a straight edge is drawn within half a texel of where it
+/// is seen, within the circle and the border.
+/// @param map_size, border   of the light
+/// @return                   radians
+/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n: over the chord of
+///                           an angle a arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, r circles out
+template <real T = float>
+[[nodiscard]] T paraboloid_edge_angle(int map_size, int border = 0) {
+    const T inner = T(map_size - 2 * border), rim = T(map_size) / inner;
+    return T(2) * std::sqrt(T(2) / inner) * (T(2) / (T(1) + rim * rim));
+}
+
+namespace glsl {
+
+inline constexpr snippet dual_paraboloid_coordinate{
+    .name = "dual_paraboloid_coordinate",
+    .summary = "paraboloid map, and where in it, that sees a direction",
+    .exactness = tier::c,
+    .operations = 32,
+    .source = R"GLSL(
+// umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
+UMBRAGE_HIGHP vec3 umbrage_dual_paraboloid_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square =
+        direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    bool behind = direction.z < 0.0;
+    UMBRAGE_HIGHP float m = sqrt(square) + (behind ? -direction.z : direction.z);
+    UMBRAGE_HIGHP float x = behind ? direction.x : -direction.x;
+    return vec3((x + m) / (m + m), (direction.y + m) / (m + m), behind ? 1.0 : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet dual_paraboloid_position{
+    .name = "dual_paraboloid_position",
+    .summary = "a vertex of a paraboloid map's depth pass",
+    .exactness = tier::c,
+    .operations = 18,
+    .source = R"GLSL(
+// umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
+//   direction  from the light to the vertex;   map  0.0 or 1.0
+UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP float map) {
+    bool behind = map > 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square =
+        direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    UMBRAGE_HIGHP float distance_to = sqrt(square);
+    UMBRAGE_HIGHP float w = distance_to + (behind ? -direction.z : direction.z);
+    return vec4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* dual_paraboloid_snippets[]{&dual_paraboloid_coordinate, &dual_paraboloid_position};
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// Point lights for warps: warp_fit::direction is then the axis, which all receivers have to lie along.
+//
+//     auto warped = umbrage::fit_perspective(fit, {.position = p, .z_near = 0.05f});
+//
+#pragma once
+
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
+#include <umbrage/light/bounds.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/light/sweep.hpp>
+#include <umbrage/light/warp/warp_fit.hpp>
+
+namespace umbrage {
+
+template <real T = float>
+struct lamp {
+    glm::vec<3, T> position{T(0)};
+    T z_near = T(0.1);  ///< its own size, > 0: casters closer to it along the axis may be left out
+};
+
+namespace detail {
+
+/// A lamp's own view of receivers, and of casters what may stand before them.
+struct lamp_view {
+    glm::dmat4 frame;        ///< world to x, y and the distance along the axis
+    double least, farthest;  ///< distances of receivers
+    polyhedron casters;
+};
+
+template <real T>
+[[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
+    require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near",
+            "must be above 0, finite and no denormal");
+    const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
+    lamp_view v;
+    v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "from.position"), fit.clip.hand);
+    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(*fit.receivers));
+    const auto [low, high] = extent_of(receivers);
+    v.least = low.z, v.farthest = high.z;
+    require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
+            "must lie before the light, beyond from.z_near");
+    if (!fit.casters) return v;
+    double edge = 1.0;
+    for (const glm::dvec3& p : receivers) edge = greater(edge, greater(glm::abs(p.x), glm::abs(p.y)) / p.z);
+    const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
+    v.casters = intersection(all, *fit.casters);
+    return v;
+}
+
+/// Falls back to what is right before the light where there are no receivers.
+template <real T>
+[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const lamp<T>& from, const char* function) {
+    if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
+    const double closest(from.z_near);
+    return completed(fit,
+                     frustum<double>{.position = glm::dvec3(from.position),
+                                     .direction = glm::dvec3(fit.direction),
+                                     .z_near = 2.0 * closest,
+                                     .z_far = 4.0 * closest},
+                     function);
+}
+
+/// What the lamp sees along its axis: x, y, depth and w, of no warp.
+template <class = on_use>
+[[nodiscard]] glm::dmat4 map_along(const lamp_view& v) {
+    glm::dmat4 inverse(1.0);  // of the distance: depth and w
+    inverse[2] = {0, 0, 0, 1};
+    inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
+    return inverse * v.frame;
+}
+
+template <real T>
+[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
+    const auto light = refit(map_along(v), fit, v.casters, function);
+    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a map");
+    return *light;
+}
+
+}  // namespace detail
+}  // namespace umbrage
