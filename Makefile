@@ -131,7 +131,7 @@ prove:
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
 	cmake --build --preset dev --target mutate
-	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang-optimised; fi
+	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang-optimized; fi
 	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_fits hostile_aarch64 unit
 	ctest --preset dev -R "^hostile/|^unit/simd/"
 	@$(MAKE) --no-print-directory users
@@ -164,7 +164,7 @@ bench-shaders:
 	cmake -S tests/bench/shaders -B build/bench-shaders -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build/bench-shaders --target table
 
-# The unit tests under the address and undefined behaviour sanitizers.
+# The unit tests under the address and undefined behavior sanitizers.
 asan:
 	$(call install,$(test_packages))
 	cmake --workflow --preset asan

@@ -139,7 +139,7 @@ export const cube_coordinate: Snippet;
 /** direction to a point of a cube's face */
 export const cube_direction: Snippet;
 /** texel beyond an edge of a cube's face */
-export const cube_neighbour: Snippet;
+export const cube_neighbor: Snippet;
 /** first texel of a face in an atlas */
 export const cube_tile: Snippet;
 /** face that a texel of an atlas belongs to, and where on it */
@@ -163,7 +163,7 @@ export const tetrahedron_texel: Snippet;
 /** face of a tetrahedron that a texel belongs to */
 export const tetrahedron_face_of: Snippet;
 /** casters before the near plane, onto it */
-export const pancaked: Snippet;
+export const pancake: Snippet;
 /** texel inside a map */
 export const texel: Snippet;
 /** value read from an 8-bit texture to channel 0..255 */
@@ -197,7 +197,7 @@ export const cleared_depth: Snippet;
 /** clamp to [0, 1], NaN to far */
 export const saturate: Snippet;
 /** a quotient of whole numbers, from one at most one off */
-export const mend_quotient: Snippet;
+export const correct_quotient: Snippet;
 /** whole numbers divided and rounded down, whatever the division's error */
 export const floor_divide: Snippet;
 /** channel 0..255 to the value an 8-bit target stores as it */
@@ -329,9 +329,9 @@ export const fetch_depth: Snippet;
 /** stored depth at a point of the map */
 export const depth_at: Snippet;
 /** receivers behind the far plane */
-export const beyond_far: Snippet;
+export const beyond_far_plane: Snippet;
 /** receivers that a filter compares; it takes the others as lit */
-export const is_compared: Snippet;
+export const in_filter_domain: Snippet;
 /** one comparison */
 export const compare: Snippet;
 /** one comparison with a texel */
@@ -339,7 +339,7 @@ export const lit: Snippet;
 /** comparisons with the 2x2 texels from one on */
 export const lit_2x2: Snippet;
 /** receivers up to the far plane, NaN is none */
-export const before_far: Snippet;
+export const within_far_plane: Snippet;
 /** stored + epsilon < receiver is shadow */
 export const compare_dx_sdk: Snippet;
 /** current < stored + epsilon is lit */
@@ -351,7 +351,7 @@ export const window_sum5: Snippet;
 /** weighted count of lit texels under a window of 7 x 7 */
 export const window_sum7: Snippet;
 /** one of 16 turns for a pixel */
-export const disc_turn: Snippet;
+export const disc_rotation: Snippet;
 /** the texel that a point of a disc falls on */
 export const disc_tap: Snippet;
 /** radius of a disc, down to 1/16 texel */
@@ -449,11 +449,11 @@ export const blockers_hardware16: Snippet;
 /** the same at 32 points */
 export const blockers_hardware32: Snippet;
 /** a disc's share in shadow, steepened */
-export const hardened8: Snippet;
+export const hardened_kernel8: Snippet;
 /** a disc's share in shadow, steepened */
-export const hardened16: Snippet;
+export const hardened_kernel16: Snippet;
 /** a disc's share in shadow, steepened */
-export const hardened32: Snippet;
+export const hardened_kernel32: Snippet;
 /** contact hardening by 8 points */
 export const dpcf8: Snippet;
 /** contact hardening by 16 points */
@@ -467,11 +467,11 @@ export const summed_variance: Snippet;
 /** mean of four whole numbers over a box, from a summed-area table in two halves */
 export const box_mean: Snippet;
 /** four channels of 16 bits to four moments */
-export const turn_moments_back: Snippet;
+export const from_optimized_moments: Snippet;
 /** four moments, moved a little towards those of spread depths */
 export const bias_moments: Snippet;
 /** depth that grows with distance */
-export const forward_depth: Snippet;
+export const to_forward_depth: Snippet;
 /** the two depths that make four moments beside a receiver's */
 export const moment_atoms: Snippet;
 /** mean of four moments to visibility */
@@ -487,7 +487,7 @@ export const exp2_steps: Snippet;
 /** most that mean and variance let be lit */
 export const chebyshev: Snippet;
 /** visibility without its least values */
-export const bleed_cut: Snippet;
+export const reduce_light_bleeding: Snippet;
 /** depth to a texel of a variance shadow map */
 export const encode_vsm: Snippet;
 /** mean of texels of a variance shadow map to visibility */
@@ -499,7 +499,7 @@ export const decode_deviation: Snippet;
 /** mean and deviation in four channels to depth's two moments */
 export const decode_deviation_rgba8: Snippet;
 /** depth on the scale of exponential shadow maps */
-export const warp_depth: Snippet;
+export const exponential_warp: Snippet;
 /** depth to a texel of an exponential shadow map */
 export const encode_esm: Snippet;
 /** mean of texels of an exponential shadow map to visibility */
@@ -515,7 +515,7 @@ export const decode_evsm4: Snippet;
 /** depth to its first four powers on [-1, 1] */
 export const encode_msm: Snippet;
 /** four moments to four channels of 16 bits */
-export const turn_moments: Snippet;
+export const to_optimized_moments: Snippet;
 /** least share of depths before a receiver, of depths on [-1, 1] */
 export const hausdorff_share: Snippet;
 /** mean of four moments of depths on [-1, 1] to visibility */
@@ -533,7 +533,7 @@ export const evsm4: Snippet;
 /** visibility from a map of encode_msm's texels */
 export const msm: Snippet;
 /** visibility from a map of turned moments */
-export const msm_turned: Snippet;
+export const msm_unorm16: Snippet;
 /** visibility from a map of encode_msm's texels */
 export const msm_hausdorff: Snippet;
 /** most that a variance lets be lit, less the light that bleeds */
@@ -571,21 +571,21 @@ export const normal_offset: Snippet;
 /** bias by the kernel's width and the angle at which light falls */
 export const kernel_bias: Snippet;
 /** slope of a receiver's plane from derivatives, and how far it may be off */
-export const receiver_plane: Snippet;
+export const receiver_plane_slope: Snippet;
 /** stored depth moved along the receiver's plane to the receiver */
-export const on_receiver_plane: Snippet;
+export const apply_receiver_plane: Snippet;
 /** smallest bias without acne, for a slope, a reach and an encoding's error */
 export const acne_free_bias: Snippet;
 /** smallest bias without acne, for filters that read a disc */
 export const acne_free_disc_bias: Snippet;
 /** depth before a receiver within which its bias loses a caster's shadow */
-export const detachment: Snippet;
+export const peter_panning_distance: Snippet;
 /** 1 inside a spot light's cone */
 export const spot_cone: Snippet;
 /** diffuse plus ambient light of a surface */
 export const diffuse_ambient: Snippet;
 /** 0..1 to blue, green, red */
-export const false_colour: Snippet;
+export const false_color: Snippet;
 /** which texel of a map stretched over the picture's corner a pixel shows, along one side */
 export const overlay_texel: Snippet;
 

@@ -108,8 +108,8 @@ function chosen(s, map) {
     switch (s.role) {
         case 'cleared_depth':
         case 'compare': return hooks[`${s.role}, ${map.direction}`];
-        case 'beyond_far': return hooks[`beyond_far, ${scaled ? 'scaled' : map.direction}`];
-        case 'before_far': return scaled ? s : hooks[`before_far, ${map.direction}`];
+        case 'beyond_far_plane': return hooks[`beyond_far_plane, ${scaled ? 'scaled' : map.direction}`];
+        case 'within_far_plane': return scaled ? s : hooks[`within_far_plane, ${map.direction}`];
         case 'texel':
         case 'fetch_depth':
             if (s.role === 'texel') return hooks.texel;
@@ -285,7 +285,7 @@ function with_maps(items) {
 
 /** What a text of the items holds, in order and each once: calls use(snippet, item, guard, whether a map fills it in). */
 function for_each_part(language, items, use) {
-    const done = new Map(), scaled = hooks['beyond_far, scaled'];
+    const done = new Map(), scaled = hooks['beyond_far_plane, scaled'];
     const add = (asked, item, of_map) => {
         const by_macros = language.macros && item.by_macros;
         const s = by_macros ? asked : chosen(asked, item.map);
@@ -302,7 +302,7 @@ function for_each_part(language, items, use) {
     };
     for (const of_map of [false, true])
         for (const item of items) {
-            if (of_map && language.macros && item.by_macros && chosen(snippets.beyond_far, item.map) === scaled)
+            if (of_map && language.macros && item.by_macros && chosen(snippets.beyond_far_plane, item.map) === scaled)
                 add(scaled, item, of_map);
             for (const need of item.map.needs) add(need, item, of_map);
             for (const need of language.textures[item.map.texture].needs) add(snippets[need], item, of_map);
@@ -617,10 +617,10 @@ UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGH
     return umbrage_cube_point(face, vec3(uv, 1.0));
 }
 `,
-            "cube_neighbour": `
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+            "cube_neighbor": `
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-UMBRAGE_HIGHP vec3 umbrage_cube_neighbour(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
+UMBRAGE_HIGHP vec3 umbrage_cube_neighbor(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = abs(uv.x) > size;
     bool beyond_v = abs(uv.y) > size;
@@ -735,10 +735,10 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face_of(UMBRAGE_HIGHP vec2 texel, UMBRAG
     return abs(off.y) >= abs(off.x) ? column : row;
 }
 `,
-            "pancaked": `
-// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+            "pancake": `
+// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
-UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
+UMBRAGE_HIGHP vec4 umbrage_pancake(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;
     bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
     return vec4(position.x, position.y, before ? plane : position.z, position.w);
@@ -886,9 +886,9 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 `,
-            "mend_quotient": `
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+            "correct_quotient": `
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
     return (low + 1.0) * b <= a ? low + 1.0 : low;
 }
@@ -896,7 +896,7 @@ UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP f
             "floor_divide": `
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }
 `,
             "to_unorm": `
@@ -1183,7 +1183,7 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg16_table(UMBRAGE_MAP table, UMBRAGE_HIGHP fl
 `,
             "decode_rg9": `
 // umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg9(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
@@ -1191,7 +1191,7 @@ UMBRAGE_HIGHP float umbrage_decode_rg9(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float
 `,
             "decode_rg10": `
 // umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg10(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
@@ -1199,7 +1199,7 @@ UMBRAGE_HIGHP float umbrage_decode_rg10(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
 `,
             "decode_rg11": `
 // umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg11(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
@@ -1207,7 +1207,7 @@ UMBRAGE_HIGHP float umbrage_decode_rg11(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
 `,
             "decode_rg12": `
 // umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg12(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
@@ -1215,7 +1215,7 @@ UMBRAGE_HIGHP float umbrage_decode_rg12(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
 `,
             "decode_rg13": `
 // umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg13(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
@@ -1223,7 +1223,7 @@ UMBRAGE_HIGHP float umbrage_decode_rg13(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
 `,
             "decode_rg14": `
 // umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg14(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
@@ -1231,7 +1231,7 @@ UMBRAGE_HIGHP float umbrage_decode_rg14(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
 `,
             "decode_rg15": `
 // umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg15(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
@@ -1239,7 +1239,7 @@ UMBRAGE_HIGHP float umbrage_decode_rg15(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
 `,
             "decode_rg16": `
 // umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg16(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
@@ -1472,7 +1472,7 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }
 `,
-            "beyond_far": `
+            "beyond_far_plane": `
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -1481,30 +1481,30 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 `,
-            "is_compared": `
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+            "in_filter_domain": `
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 `,
             "compare": `
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_LIT
+// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_COMPARE
 #ifdef UMBRAGE_REVERSED
-#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
 #else
-#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
 #endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_LIT(receiver, stored);
+    return UMBRAGE_COMPARE(receiver, stored);
 }
 `,
             "lit": `
@@ -1525,12 +1525,12 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return vec4(a, b, c, d);
 }
 `,
-            "before_far": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+            "within_far_plane": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     // a sum of choices, not an or of comparisons, which compilers take for true
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
 }
 `,
             "compare_dx_sdk": `
@@ -1551,14 +1551,14 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 `,
             "window_sum3": `
 // umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -1583,14 +1583,14 @@ UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 `,
             "window_sum5": `
 // umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -1624,14 +1624,14 @@ UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 `,
             "window_sum7": `
 // umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -1674,9 +1674,9 @@ UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     return compared ? n : whole * whole;
 }
 `,
-            "disc_turn": `
-// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
-UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
+            "disc_rotation": `
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -1684,22 +1684,22 @@ UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP float base = v - quarter * 4.0;
     UMBRAGE_HIGHP vec2 low = base < 0.5 ? vec2(64.0, 0.0) : vec2(59.0, 24.0);
     UMBRAGE_HIGHP vec2 high = base < 2.5 ? vec2(45.0, 45.0) : vec2(24.0, 59.0);
-    UMBRAGE_HIGHP vec2 turn = base < 1.5 ? low : high;
-    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? turn : vec2(0.0 - turn.y, turn.x);
-    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - turn.x, 0.0 - turn.y) : vec2(turn.y, 0.0 - turn.x);
+    UMBRAGE_HIGHP vec2 first = base < 1.5 ? low : high;
+    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? first : vec2(0.0 - first.y, first.x);
+    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - first.x, 0.0 - first.y) : vec2(first.y, 0.0 - first.x);
     return quarter < 1.5 ? once : twice;
 }
 `,
             "disc_tap": `
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2(x, y));
@@ -1714,106 +1714,109 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 `,
             "disc8": `
 // umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -7.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 8.0) : 1.0;
 }
 `,
             "disc16": `
 // umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 16.0) : 1.0;
 }
 `,
             "disc32": `
 // umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-2.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(6.0, -7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-3.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(13.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(10.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-11.0, 9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(12.0, 8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -15.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-2.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(6.0, -7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-3.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(13.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(10.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-11.0, 9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(12.0, 8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -15.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 32.0) : 1.0;
 }
 `,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
     UMBRAGE_HIGHP float lit = umbrage_lit(map, size, texel, receiver);
     return compared ? lit : 1.0;
@@ -1832,7 +1835,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     UMBRAGE_HIGHP vec2 d_texel = floor(d);
     UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
                                 umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;
@@ -1840,11 +1843,11 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 `,
             "pcf_2x2": `
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                     UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -1857,11 +1860,11 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
 `,
             "pcf_2x2_dx_sdk": `
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
@@ -1880,13 +1883,13 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
 `,
             "box_count": `
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
 UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                       UMBRAGE_HIGHP float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 first = compared ? floor(coord) - float(r) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float count = 0.0;
     for (int j = 0; j < 17; j++) {
@@ -1924,11 +1927,11 @@ UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 `,
             "tent2": `
 // umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_tent2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -1949,7 +1952,7 @@ UMBRAGE_HIGHP float umbrage_tent2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 `,
             "tent3": `
 // umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_tent3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
@@ -1959,11 +1962,11 @@ UMBRAGE_HIGHP float umbrage_tent3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 `,
             "quadratic_b_spline": `
 // umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -1984,7 +1987,7 @@ UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
 `,
             "binomial5": `
 // umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_binomial5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
@@ -1994,7 +1997,7 @@ UMBRAGE_HIGHP float umbrage_binomial5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 `,
             "castano_dyadic5": `
 // umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_castano_dyadic5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
@@ -2004,7 +2007,7 @@ UMBRAGE_HIGHP float umbrage_castano_dyadic5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
 `,
             "castano5": `
 // umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_castano5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
@@ -2014,7 +2017,7 @@ UMBRAGE_HIGHP float umbrage_castano5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 `,
             "binomial7": `
 // umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_binomial7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
@@ -2024,7 +2027,7 @@ UMBRAGE_HIGHP float umbrage_binomial7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 `,
             "tent7": `
 // umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_tent7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
@@ -2034,7 +2037,7 @@ UMBRAGE_HIGHP float umbrage_tent7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 `,
             "castano7": `
 // umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_castano7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
@@ -2048,7 +2051,7 @@ UMBRAGE_HIGHP float umbrage_castano7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
                                     UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float side = size.y * 0.5;
-    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbour(texel, side);
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbor(texel, side);
     UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
     UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
     return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
@@ -2061,7 +2064,7 @@ UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
 UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -2082,7 +2085,7 @@ UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
                                               UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
                                               UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x + sum.y < 131072.0;
     UMBRAGE_HIGHP float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
                                 umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
                                 umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
@@ -2108,25 +2111,25 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 `,
             "pcf_2x2_hardware": `
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "window_hardware3": `
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
                                              UMBRAGE_HIGHP float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_HIGHP vec2 s = x - texel;
@@ -2147,18 +2150,18 @@ UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
     n += w1.y * row;
     UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "window_hardware5": `
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
                                              UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_HIGHP vec2 s = x - texel;
@@ -2189,18 +2192,18 @@ UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
     n += w2.y * row;
     UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "window_hardware7": `
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
                                              UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_HIGHP vec2 s = x - texel;
@@ -2243,114 +2246,114 @@ UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p3.y), receiver);
     n += w3.y * row;
     UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware8": `
 // umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                            UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                            UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / 8.0) : 0.0;
+    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 8.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware16": `
 // umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                            UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                            UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / 16.0) : 0.0;
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware32": `
 // umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                            UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                            UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / 32.0) : 0.0;
+    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 32.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -2360,7 +2363,7 @@ UMBRAGE_HIGHP float umbrage_disc_hardware32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
 //   coord, receiver  as the filter takes them
 UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 place) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
     UMBRAGE_HIGHP float all = umbrage_compare(receiver, b.x);
@@ -2381,7 +2384,7 @@ UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
             "penumbra": `
 // umbrage_penumbra: radius in 1/16 texel, a whole number
 //   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
     return min(max(floor(apart * softness.x), softness.y), softness.z);
 }
@@ -2398,144 +2401,144 @@ UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
             "blockers8": `
 // umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                      UMBRAGE_HIGHP vec2 turn) {
+                                      UMBRAGE_HIGHP vec2 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-12.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -7.0), rotation, radius), receiver);
     return n;
 }
 `,
             "blockers16": `
 // umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                      UMBRAGE_HIGHP vec2 turn) {
+                                      UMBRAGE_HIGHP vec2 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-6.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(8.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-12.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-1.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(14.0, -2.0), rotation, radius), receiver);
     return n;
 }
 `,
             "blockers32": `
 // umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                      UMBRAGE_HIGHP vec2 turn) {
+                                      UMBRAGE_HIGHP vec2 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-2.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-5.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(8.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(6.0, -7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-3.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-6.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(13.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(10.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(14.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-11.0, 9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(12.0, 8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-7.0, -13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, -15.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, -15.0), rotation, radius), receiver);
     return n;
 }
 `,
             "pcss8": `
 // umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
-                                   UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
-    UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "pcss16": `
 // umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
-                                   UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
-    UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "pcss32": `
 // umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
-                                   UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
-    UMBRAGE_HIGHP vec2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "blocker_at": `
@@ -2550,124 +2553,124 @@ UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
             "pcss_radius": `
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
                                         UMBRAGE_HIGHP vec3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
     UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    UMBRAGE_HIGHP float least = softness.y * 0.0625;
-    return radius > least ? min(radius, softness.z * 0.0625) : least;
+    UMBRAGE_HIGHP float min_radius = softness.y * 0.0625;
+    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
 }
 `,
             "blockers_hardware8": `
 // umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                               UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                               UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 7.0, receiver);
     return compared ? n : vec2(0.0, 0.0);
 }
 `,
             "blockers_hardware16": `
 // umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                               UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                               UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
     return compared ? n : vec2(0.0, 0.0);
 }
 `,
             "blockers_hardware32": `
 // umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                               UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                               UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 15.0, receiver);
     return compared ? n : vec2(0.0, 0.0);
 }
 `,
-            "hardened8": `
-// umbrage_hardened8: the share of 8 points in shadow, steepened
+            "hardened_kernel8": `
+// umbrage_hardened_kernel8: the share of 8 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-UMBRAGE_HIGHP float umbrage_hardened8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+UMBRAGE_HIGHP float umbrage_hardened_kernel8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 8.0;
     UMBRAGE_HIGHP float d = max(8.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 512.0 - d * d * d;
@@ -2675,10 +2678,10 @@ UMBRAGE_HIGHP float umbrage_hardened8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
 }
 `,
-            "hardened16": `
-// umbrage_hardened16: the share of 16 points in shadow, steepened
+            "hardened_kernel16": `
+// umbrage_hardened_kernel16: the share of 16 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-UMBRAGE_HIGHP float umbrage_hardened16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+UMBRAGE_HIGHP float umbrage_hardened_kernel16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 16.0;
     UMBRAGE_HIGHP float d = max(16.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 4096.0 - d * d * d;
@@ -2686,10 +2689,10 @@ UMBRAGE_HIGHP float umbrage_hardened16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGH
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
 }
 `,
-            "hardened32": `
-// umbrage_hardened32: the share of 32 points in shadow, steepened
+            "hardened_kernel32": `
+// umbrage_hardened_kernel32: the share of 32 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-UMBRAGE_HIGHP float umbrage_hardened32(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+UMBRAGE_HIGHP float umbrage_hardened_kernel32(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - 32.0;
     UMBRAGE_HIGHP float d = max(32.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = 32768.0 - d * d * d;
@@ -2699,58 +2702,58 @@ UMBRAGE_HIGHP float umbrage_hardened32(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGH
 `,
             "dpcf8": `
 // umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
-                                   UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
-    UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    UMBRAGE_HIGHP float dark = umbrage_hardened8(found.x, ratio);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened_kernel8(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf16": `
 // umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
-                                   UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
-    UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    UMBRAGE_HIGHP float dark = umbrage_hardened16(found.x, ratio);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened_kernel16(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf32": `
 // umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
-                                   UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
-    UMBRAGE_HIGHP vec2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    UMBRAGE_HIGHP float dark = umbrage_hardened32(found.x, ratio);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened_kernel32(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
@@ -2789,12 +2792,12 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
             "summed_variance": `
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP float codes) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = size - 1.0;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
@@ -2834,9 +2837,9 @@ UMBRAGE_HIGHP vec4 umbrage_box_mean(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     return sum / (sides.x * sides.y);
 }
 `,
-            "turn_moments_back": `
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
+            "from_optimized_moments": `
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+UMBRAGE_HIGHP vec4 umbrage_from_optimized_moments(UMBRAGE_HIGHP vec4 o) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
     UMBRAGE_HIGHP float eighth = o.y * 0.125;
@@ -2857,9 +2860,9 @@ UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2
     return vec4(x, y, z, w);
 }
 `,
-            "forward_depth": `
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+            "to_forward_depth": `
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 `,
@@ -2890,7 +2893,7 @@ UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP floa
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
     UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
@@ -2905,18 +2908,18 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
             "summed_moments": `
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                            UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
     UMBRAGE_HIGHP vec4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return compared ? lit : 1.0;
 }
 `,
@@ -2985,9 +2988,9 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
     return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 `,
-            "bleed_cut": `
-// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
-UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
+            "reduce_light_bleeding": `
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+UMBRAGE_HIGHP float umbrage_reduce_light_bleeding(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float stretched = (visibility - amount) / (1.0 - amount);
     return visibility > amount ? stretched : 0.0;
 }
@@ -2995,7 +2998,7 @@ UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HI
             "encode_vsm": `
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     return vec2(d, d * d);
 }
 `,
@@ -3004,7 +3007,7 @@ UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                        UMBRAGE_HIGHP float min_variance) {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 `,
             "encode_deviation": `
@@ -3030,9 +3033,9 @@ UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
     return umbrage_decode_deviation(vec2(mean, deviation));
 }
 `,
-            "warp_depth": `
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+            "exponential_warp": `
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_exponential_warp(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -3040,7 +3043,7 @@ UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP 
             "encode_esm": `
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
-    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }
 `,
             "decode_esm": `
@@ -3048,8 +3051,8 @@ UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP 
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP float receiver,
                                        UMBRAGE_HIGHP float exponent) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
-    UMBRAGE_HIGHP float p = m * umbrage_warp_depth(d, -exponent);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
+    UMBRAGE_HIGHP float p = m * umbrage_exponential_warp(d, -exponent);
     UMBRAGE_HIGHP float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
@@ -3057,16 +3060,16 @@ UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP floa
             "encode_evsm2": `
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return vec2(w, w * w);
 }
 `,
             "encode_evsm4": `
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec2 exponents) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
-    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_exponential_warp(d, -exponents.y);
     return vec4(w, w * w, n, n * n);
 }
 `,
@@ -3076,8 +3079,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP
 //   deviation  least standard deviation, as a part of the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponent);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
@@ -3090,9 +3093,9 @@ UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP flo
 //   deviations  least standard deviations, as parts of the receiver's powers
 UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
-    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_exponential_warp(d, -exponents.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least_variance = least * least;
     UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
@@ -3104,14 +3107,14 @@ UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP flo
             "encode_msm": `
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     UMBRAGE_HIGHP float square = z * z;
     return vec4(z, square, square * z, square * square);
 }
 `,
-            "turn_moments": `
-// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
-UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
+            "to_optimized_moments": `
+// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+UMBRAGE_HIGHP vec4 umbrage_to_optimized_moments(UMBRAGE_HIGHP vec4 b) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (b.y - b.w) * 4.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
@@ -3151,7 +3154,7 @@ UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP 
 UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver,
                                                  UMBRAGE_HIGHP vec2 bias) {
     UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
     UMBRAGE_HIGHP float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
     UMBRAGE_HIGHP float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     UMBRAGE_HIGHP float lit = share >= 0.0 ? 1.0 - share : plain;
@@ -3160,7 +3163,7 @@ UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_H
 `,
             "fetch_bilinear": `
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
@@ -3179,11 +3182,11 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 `,
             "vsm": `
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -3191,11 +3194,11 @@ UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 `,
             "esm": `
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -3203,12 +3206,12 @@ UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 `,
             "evsm2": `
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
                                   UMBRAGE_HIGHP float deviation) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -3216,12 +3219,12 @@ UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 `,
             "evsm4": `
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
                                   UMBRAGE_HIGHP vec2 deviations) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -3229,35 +3232,35 @@ UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 `,
             "msm": `
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
 }
 `,
-            "msm_turned": `
-// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+            "msm_unorm16": `
+// umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
-UMBRAGE_HIGHP float umbrage_msm_turned(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
-    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
 }
 `,
             "msm_hausdorff": `
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -3280,7 +3283,7 @@ UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMB
 UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE_HIGHP float receiver,
                                                 UMBRAGE_HIGHP float min_variance, UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float variance = max(held.y * held.y * 0.25, min_variance);
-    UMBRAGE_HIGHP float distance = umbrage_forward_depth(receiver) - held.x;
+    UMBRAGE_HIGHP float distance = umbrage_to_forward_depth(receiver) - held.x;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, distance, amount);
     return abs(receiver) < 1048576.0 ? lit : 0.0;
 }
@@ -3292,7 +3295,7 @@ UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE
 UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                                   UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
                                                   UMBRAGE_HIGHP float amount) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     UMBRAGE_HIGHP float w = exp2(exponent * (d * 2.0 - 1.0));
     UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_HIGHP float variance = max(m.y - m.x * m.x, least * least);
@@ -3307,7 +3310,7 @@ UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_
 UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                                   UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations,
                                                   UMBRAGE_HIGHP float amount) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     UMBRAGE_HIGHP float w = exp2(exponents.x * d);
     UMBRAGE_HIGHP float n = 0.0 - exp2((0.0 - exponents.y) * d);
     UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
@@ -3475,10 +3478,10 @@ UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP
     return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
 }
 `,
-            "receiver_plane": `
-// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+            "receiver_plane_slope": `
+// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
 //   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
-UMBRAGE_HIGHP vec3 umbrage_receiver_plane(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
+UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float along_x = dy.y * dx.z + dx.y * -dy.z;
@@ -3492,10 +3495,10 @@ UMBRAGE_HIGHP vec3 umbrage_receiver_plane(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP v
     return known ? vec3(a, b, umbrage_clamp_slope(error)) : vec3(0.0, 0.0, 0.0);
 }
 `,
-            "on_receiver_plane": `
-// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+            "apply_receiver_plane": `
+// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
 //   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
-UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
                                               UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
@@ -3527,11 +3530,11 @@ UMBRAGE_HIGHP float umbrage_acne_free_disc_bias(UMBRAGE_HIGHP vec2 slope, UMBRAG
     return umbrage_clamp_bias(bias);
 }
 `,
-            "detachment": `
-// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+            "peter_panning_distance": `
+// umbrage_peter_panning_distance: a caster nearer to the receiver loses its shadow, or a part of it; depth, 0.0 to 1.0
 //   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
 //   reach  of the filter, texels
-UMBRAGE_HIGHP float umbrage_detachment(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP vec2 caster_slope,
+UMBRAGE_HIGHP float umbrage_peter_panning_distance(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP vec2 caster_slope,
                                        UMBRAGE_HIGHP float reach) {
     return umbrage_acne_free_bias(caster_slope, reach, bias);
 }
@@ -3558,9 +3561,9 @@ UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HI
     return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 `,
-            "false_colour": `
-// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
-UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
+            "false_color": `
+// umbrage_false_color: blue for 0.0, through green, to red for 1.0
+UMBRAGE_HIGHP vec3 umbrage_false_color(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP float x = umbrage_saturate(v) * 4.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 ramp = 1.5 - abs(vec3(x - 3.0, x - 2.0, x - 1.0));
     return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
@@ -3568,7 +3571,7 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
 `,
             "overlay_texel": `
 // umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
 //   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
 UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
                                           UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {
@@ -3589,33 +3592,33 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
     return 0.0;
 }
 `,
-            "hooks/beyond_far, forward": `
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+            "hooks/beyond_far_plane, forward": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
 `,
-            "hooks/beyond_far, reversed": `
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+            "hooks/beyond_far_plane, reversed": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver < 0.0;
 }
 `,
-            "hooks/beyond_far, scaled": `
-// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+            "hooks/beyond_far_plane, scaled": `
+// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return false;
 }
 `,
-            "hooks/before_far, forward": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+            "hooks/within_far_plane, forward": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }
 `,
-            "hooks/before_far, reversed": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+            "hooks/within_far_plane, reversed": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver >= 0.0;
 }
 `,
@@ -3770,7 +3773,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    return umbrage_before_far(receiver) ? lit : 0.0;
+    return umbrage_within_far_plane(receiver) ? lit : 0.0;
 }
 `,
             "hooks/lit_filtered, bordered": `
@@ -3785,7 +3788,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
+    return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
             "hooks/lit_at, sampled": `
@@ -4014,10 +4017,10 @@ float3 umbrage_cube_direction(float face, float2 st) {
     return umbrage_cube_point(face, float3(uv, 1.0));
 }
 `,
-            "cube_neighbour": `
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+            "cube_neighbor": `
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-float3 umbrage_cube_neighbour(float3 texel, float size) {
+float3 umbrage_cube_neighbor(float3 texel, float size) {
     float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = abs(uv.x) > size;
     bool beyond_v = abs(uv.y) > size;
@@ -4129,10 +4132,10 @@ float umbrage_tetrahedron_face_of(float2 texel, float size) {
     return abs(off.y) >= abs(off.x) ? column : row;
 }
 `,
-            "pancaked": `
-// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+            "pancake": `
+// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
-float4 umbrage_pancaked(float4 position, float at_near) {
+float4 umbrage_pancake(float4 position, float at_near) {
     precise float plane = at_near * position.w;
     bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
     return float4(position.x, position.y, before ? plane : position.z, position.w);
@@ -4248,9 +4251,9 @@ float umbrage_saturate(float v) {
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 `,
-            "mend_quotient": `
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-float umbrage_mend_quotient(float q, float a, float b) {
+            "correct_quotient": `
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+float umbrage_correct_quotient(float q, float a, float b) {
     float low = q * b > a ? q - 1.0 : q;
     return (low + 1.0) * b <= a ? low + 1.0 : low;
 }
@@ -4258,7 +4261,7 @@ float umbrage_mend_quotient(float q, float a, float b) {
             "floor_divide": `
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 float umbrage_floor_divide(float a, float b) {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }
 `,
             "to_unorm": `
@@ -4544,7 +4547,7 @@ float2 umbrage_encode_rg16_table(UMBRAGE_MAP table, float depth) {
 `,
             "decode_rg9": `
 // umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 float umbrage_decode_rg9(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
@@ -4552,7 +4555,7 @@ float umbrage_decode_rg9(float2 c, float edge) {
 `,
             "decode_rg10": `
 // umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 float umbrage_decode_rg10(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
@@ -4560,7 +4563,7 @@ float umbrage_decode_rg10(float2 c, float edge) {
 `,
             "decode_rg11": `
 // umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 float umbrage_decode_rg11(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
@@ -4568,7 +4571,7 @@ float umbrage_decode_rg11(float2 c, float edge) {
 `,
             "decode_rg12": `
 // umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 float umbrage_decode_rg12(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
@@ -4576,7 +4579,7 @@ float umbrage_decode_rg12(float2 c, float edge) {
 `,
             "decode_rg13": `
 // umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 float umbrage_decode_rg13(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
@@ -4584,7 +4587,7 @@ float umbrage_decode_rg13(float2 c, float edge) {
 `,
             "decode_rg14": `
 // umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 float umbrage_decode_rg14(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
@@ -4592,7 +4595,7 @@ float umbrage_decode_rg14(float2 c, float edge) {
 `,
             "decode_rg15": `
 // umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 float umbrage_decode_rg15(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
@@ -4600,7 +4603,7 @@ float umbrage_decode_rg15(float2 c, float edge) {
 `,
             "decode_rg16": `
 // umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 float umbrage_decode_rg16(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
@@ -4815,11 +4818,11 @@ float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }
 `,
-            "is_compared": `
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-precise bool umbrage_is_compared(float2 coord, float receiver) {
+            "in_filter_domain": `
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 `,
             "lit": `
@@ -4838,12 +4841,12 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
     return float4(a, b, c, d);
 }
 `,
-            "before_far": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-precise bool umbrage_before_far(float receiver) {
+            "within_far_plane": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_within_far_plane(float receiver) {
     // a sum of choices, not an or of comparisons, which compilers take for true
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
 }
 `,
             "compare_dx_sdk": `
@@ -4862,12 +4865,12 @@ float umbrage_compare_exercise(float current, float stored, float epsilon) {
 `,
             "window_sum3": `
 // umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
     float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -4892,13 +4895,13 @@ float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float rece
 `,
             "window_sum5": `
 // umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1,
                           float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
     float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -4932,13 +4935,13 @@ float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float rece
 `,
             "window_sum7": `
 // umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1,
                           float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
     float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -4981,9 +4984,9 @@ float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     return compared ? n : whole * whole;
 }
 `,
-            "disc_turn": `
-// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
-float2 umbrage_disc_turn(float2 pixel) {
+            "disc_rotation": `
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+float2 umbrage_disc_rotation(float2 pixel) {
     float2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : float2(0.0, 0.0);
     float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -4991,21 +4994,21 @@ float2 umbrage_disc_turn(float2 pixel) {
     float base = v - quarter * 4.0;
     float2 low = base < 0.5 ? float2(64.0, 0.0) : float2(59.0, 24.0);
     float2 high = base < 2.5 ? float2(45.0, 45.0) : float2(24.0, 59.0);
-    float2 turn = base < 1.5 ? low : high;
-    float2 once = quarter < 0.5 ? turn : float2(0.0 - turn.y, turn.x);
-    float2 twice = quarter < 2.5 ? float2(0.0 - turn.x, 0.0 - turn.y) : float2(turn.y, 0.0 - turn.x);
+    float2 first = base < 1.5 ? low : high;
+    float2 once = quarter < 0.5 ? first : float2(0.0 - first.y, first.x);
+    float2 twice = quarter < 2.5 ? float2(0.0 - first.x, 0.0 - first.y) : float2(first.y, 0.0 - first.x);
     return quarter < 1.5 ? once : twice;
 }
 `,
             "disc_tap": `
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
     float2 within = clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 scaled = turn * (radius * (1.0 / 16384.0));
+    float2 scaled = rotation * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(float2(x, y));
@@ -5020,102 +5023,102 @@ float umbrage_disc_radius(float radius) {
 `,
             "disc8": `
 // umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-float umbrage_disc8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+float umbrage_disc8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
     float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 8.0) : 1.0;
 }
 `,
             "disc16": `
 // umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-float umbrage_disc16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+float umbrage_disc16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
     float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 16.0) : 1.0;
 }
 `,
             "disc32": `
 // umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-float umbrage_disc32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+float umbrage_disc32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
     float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 32.0) : 1.0;
 }
 `,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_hard(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 texel = compared ? floor(coord) : float2(0.0, 0.0);  // no branch: fetches of several taps overlap
     float lit = umbrage_lit(map, size, texel, receiver);
     return compared ? lit : 1.0;
@@ -5132,7 +5135,7 @@ float umbrage_four_tap(UMBRAGE_MAP map, float2 size, float2 a, float2 b, float2 
     float2 d_texel = floor(d);
     float2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;
@@ -5140,10 +5143,10 @@ float umbrage_four_tap(UMBRAGE_MAP map, float2 size, float2 a, float2 b, float2 
 `,
             "pcf_2x2": `
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_pcf_2x2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -5156,10 +5159,10 @@ float umbrage_pcf_2x2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver
 `,
             "pcf_2x2_dx_sdk": `
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float epsilon) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     precise float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x);
     precise float2 weight = x - texel;
@@ -5178,12 +5181,12 @@ float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, float2 size, float2 coord, float r
 `,
             "box_count": `
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
 float umbrage_box_count(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 first = compared ? floor(coord) - float(r) : float2(0.0, 0.0);
     float count = 0.0;
     for (int j = 0; j < 17; j++) {
@@ -5220,10 +5223,10 @@ float umbrage_box(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, in
 `,
             "tent2": `
 // umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -5244,7 +5247,7 @@ float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) 
 `,
             "tent3": `
 // umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_tent3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
@@ -5253,10 +5256,10 @@ float umbrage_tent3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) 
 `,
             "quadratic_b_spline": `
 // umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -5277,7 +5280,7 @@ float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coord, flo
 `,
             "binomial5": `
 // umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
@@ -5286,7 +5289,7 @@ float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float receiv
 `,
             "castano_dyadic5": `
 // umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_castano_dyadic5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
@@ -5295,7 +5298,7 @@ float umbrage_castano_dyadic5(UMBRAGE_MAP map, float2 size, float2 coord, float 
 `,
             "castano5": `
 // umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_castano5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
@@ -5304,7 +5307,7 @@ float umbrage_castano5(UMBRAGE_MAP map, float2 size, float2 coord, float receive
 `,
             "binomial7": `
 // umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
@@ -5313,7 +5316,7 @@ float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float receiv
 `,
             "tent7": `
 // umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_tent7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
@@ -5322,7 +5325,7 @@ float umbrage_tent7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) 
 `,
             "castano7": `
 // umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
@@ -5334,7 +5337,7 @@ float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float receive
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 float2 umbrage_cube_lit(UMBRAGE_MAP map, float2 size, float3 texel, float receiver) {
     float side = size.y * 0.5;
-    float3 n = umbrage_cube_neighbour(texel, side);
+    float3 n = umbrage_cube_neighbor(texel, side);
     float2 at = umbrage_cube_tile(n.z, side) + float2(n.x, n.y);
     float lit = umbrage_lit(map, size, at, receiver);
     return n.z < 0.0 ? float2(0.0, 0.0) : float2(lit, 1.0);
@@ -5346,7 +5349,7 @@ float2 umbrage_cube_lit(UMBRAGE_MAP map, float2 size, float3 texel, float receiv
 //   receiver   distance from the light, biased
 float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float receiver) {
     float2 coord = float2(at.x, at.y);
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -5365,7 +5368,7 @@ float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float receiv
 //   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
 float umbrage_four_tap_hardware(UMBRAGE_MAP map, float2 size, float2 a, float2 b, float2 c, float2 d, float receiver) {
     float2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x + sum.y < 131072.0;
     float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
@@ -5389,22 +5392,22 @@ float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
 `,
             "pcf_2x2_hardware": `
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
     float lit = umbrage_lit_at(map, size, at / size, receiver);
-    float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "window_hardware3": `
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = floor(x);
     float2 s = x - texel;
@@ -5425,17 +5428,17 @@ float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
     float share = clamp(n / (whole * whole), 0.0, 1.0);
-    float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "window_hardware5": `
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
 float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1,
                                float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = floor(x);
     float2 s = x - texel;
@@ -5466,17 +5469,17 @@ float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
     float share = clamp(n / (whole * whole), 0.0, 1.0);
-    float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "window_hardware7": `
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
 float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1, float k2,
                                float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = floor(x);
     float2 s = x - texel;
@@ -5519,108 +5522,111 @@ float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
     float share = clamp(n / (whole * whole), 0.0, 1.0);
-    float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware8": `
 // umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-float umbrage_disc_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                             float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
-    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 8.0) : 0.0;
+    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, receiver);
+    float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 8.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware16": `
 // umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-float umbrage_disc_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                              float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 16.0) : 0.0;
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware32": `
 // umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-float umbrage_disc_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                              float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
-    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 32.0) : 0.0;
+    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 32.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -5629,7 +5635,7 @@ float umbrage_disc_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float 
 //   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
 //   coord, receiver  as the filter takes them
 float umbrage_bounds_lit(UMBRAGE_MAP bounds, float2 size, float2 coord, float receiver, float2 place) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
     float all = umbrage_compare(receiver, b.x);
@@ -5650,7 +5656,7 @@ float umbrage_distance_code(float depth) {
             "penumbra": `
 // umbrage_penumbra: radius in 1/16 texel, a whole number
 //   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 float umbrage_penumbra(float apart, float3 softness) {
     return min(max(floor(apart * softness.x), softness.y), softness.z);
 }
@@ -5666,132 +5672,134 @@ float2 umbrage_blocker(UMBRAGE_MAP map, float2 size, float2 texel, float receive
             "blockers8": `
 // umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
-float2 umbrage_blockers8(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius, float2 turn) {
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+float2 umbrage_blockers8(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius, float2 rotation) {
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), rotation, radius), receiver);
     return n;
 }
 `,
             "blockers16": `
 // umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
-float2 umbrage_blockers16(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius, float2 turn) {
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+float2 umbrage_blockers16(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius,
+                          float2 rotation) {
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-1.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), rotation, radius), receiver);
     return n;
 }
 `,
             "blockers32": `
 // umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
-float2 umbrage_blockers32(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius, float2 turn) {
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+float2 umbrage_blockers32(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius,
+                          float2 rotation) {
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(6.0, -7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-3.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(13.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(10.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-11.0, 9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(12.0, 8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -15.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -15.0), rotation, radius), receiver);
     return n;
 }
 `,
             "pcss8": `
 // umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-float umbrage_pcss8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+float umbrage_pcss8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "pcss16": `
 // umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-float umbrage_pcss16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+float umbrage_pcss16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "pcss32": `
 // umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "blocker_at": `
@@ -5805,120 +5813,120 @@ float2 umbrage_blocker_at(UMBRAGE_MAP map, float2 size, float2 uv, float receive
             "pcss_radius": `
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
     float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    float least = softness.y * 0.0625;
-    return radius > least ? min(radius, softness.z * 0.0625) : least;
+    float min_radius = softness.y * 0.0625;
+    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
 }
 `,
             "blockers_hardware8": `
 // umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 float2 umbrage_blockers_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
-                                  float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                  float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 7.0, receiver);
     return compared ? n : float2(0.0, 0.0);
 }
 `,
             "blockers_hardware16": `
 // umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 float2 umbrage_blockers_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
-                                   float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                   float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
     return compared ? n : float2(0.0, 0.0);
 }
 `,
             "blockers_hardware32": `
 // umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
-                                   float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                   float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 15.0, receiver);
     return compared ? n : float2(0.0, 0.0);
 }
 `,
-            "hardened8": `
-// umbrage_hardened8: the share of 8 points in shadow, steepened
+            "hardened_kernel8": `
+// umbrage_hardened_kernel8: the share of 8 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-float umbrage_hardened8(float blocked, float ratio) {
+float umbrage_hardened_kernel8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
     float d = max(8.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 512.0 - d * d * d;
@@ -5926,10 +5934,10 @@ float umbrage_hardened8(float blocked, float ratio) {
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
 }
 `,
-            "hardened16": `
-// umbrage_hardened16: the share of 16 points in shadow, steepened
+            "hardened_kernel16": `
+// umbrage_hardened_kernel16: the share of 16 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-float umbrage_hardened16(float blocked, float ratio) {
+float umbrage_hardened_kernel16(float blocked, float ratio) {
     float u = blocked * 2.0 - 16.0;
     float d = max(16.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 4096.0 - d * d * d;
@@ -5937,10 +5945,10 @@ float umbrage_hardened16(float blocked, float ratio) {
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
 }
 `,
-            "hardened32": `
-// umbrage_hardened32: the share of 32 points in shadow, steepened
+            "hardened_kernel32": `
+// umbrage_hardened_kernel32: the share of 32 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-float umbrage_hardened32(float blocked, float ratio) {
+float umbrage_hardened_kernel32(float blocked, float ratio) {
     float u = blocked * 2.0 - 32.0;
     float d = max(32.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 32768.0 - d * d * d;
@@ -5950,52 +5958,52 @@ float umbrage_hardened32(float blocked, float ratio) {
 `,
             "dpcf8": `
 // umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-float umbrage_dpcf8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+float umbrage_dpcf8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    float dark = umbrage_hardened8(found.x, ratio);
+    float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    float dark = umbrage_hardened_kernel8(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf16": `
 // umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-float umbrage_dpcf16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+float umbrage_dpcf16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    float dark = umbrage_hardened16(found.x, ratio);
+    float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    float dark = umbrage_hardened_kernel16(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf32": `
 // umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-float umbrage_dpcf32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+float umbrage_dpcf32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    float dark = umbrage_hardened32(found.x, ratio);
+    float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    float dark = umbrage_hardened_kernel32(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
@@ -6033,10 +6041,10 @@ float4 umbrage_box_moments(UMBRAGE_MAP map, float2 size, float2 first, float2 en
             "summed_variance": `
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float codes) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = size - 1.0;
     float2 texel = compared ? clamp(floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = max(texel - radius, float2(0.0, 0.0));
@@ -6075,9 +6083,9 @@ float4 umbrage_box_mean(UMBRAGE_MAP map, float2 size, float2 first, float2 end) 
     return sum / (sides.x * sides.y);
 }
 `,
-            "turn_moments_back": `
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-float4 umbrage_turn_moments_back(float4 o) {
+            "from_optimized_moments": `
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+float4 umbrage_from_optimized_moments(float4 o) {
     precise float x = o.x - 0.5;
     precise float z = o.z - 0.5;
     float eighth = o.y * 0.125;
@@ -6098,9 +6106,9 @@ float4 umbrage_bias_moments(float4 b, float2 bias) {
     return float4(x, y, z, w);
 }
 `,
-            "forward_depth": `
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-float umbrage_forward_depth(float depth) {
+            "to_forward_depth": `
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 `,
@@ -6131,7 +6139,7 @@ float4 umbrage_moment_atoms(float4 b, float x) {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_to_forward_depth(receiver);
     float4 m = umbrage_bias_moments(b, bias);
     precise float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
     float4 atoms = umbrage_moment_atoms(m, x);
@@ -6146,16 +6154,16 @@ float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
             "summed_moments": `
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 float umbrage_summed_moments(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = float2(size.x * 0.5, size.y) - 1.0;
     float2 texel = compared ? clamp(floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = max(texel - radius, float2(0.0, 0.0));
     float2 end = min(texel + radius + 1.0, last);
     float4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    float lit = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return compared ? lit : 1.0;
 }
 `,
@@ -6206,9 +6214,9 @@ float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 `,
-            "bleed_cut": `
-// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
-float umbrage_bleed_cut(float visibility, float amount) {
+            "reduce_light_bleeding": `
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+float umbrage_reduce_light_bleeding(float visibility, float amount) {
     float stretched = (visibility - amount) / (1.0 - amount);
     return visibility > amount ? stretched : 0.0;
 }
@@ -6216,7 +6224,7 @@ float umbrage_bleed_cut(float visibility, float amount) {
             "encode_vsm": `
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 float2 umbrage_encode_vsm(float depth) {
-    float d = umbrage_forward_depth(umbrage_saturate(depth));
+    float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     return float2(d, d * d);
 }
 `,
@@ -6224,7 +6232,7 @@ float2 umbrage_encode_vsm(float depth) {
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 `,
             "encode_deviation": `
@@ -6250,9 +6258,9 @@ float2 umbrage_decode_deviation_rgba8(float4 c) {
     return umbrage_decode_deviation(float2(mean, deviation));
 }
 `,
-            "warp_depth": `
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-float umbrage_warp_depth(float depth, float exponent) {
+            "exponential_warp": `
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+float umbrage_exponential_warp(float depth, float exponent) {
     precise float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -6260,15 +6268,15 @@ float umbrage_warp_depth(float depth, float exponent) {
             "encode_esm": `
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
 float umbrage_encode_esm(float depth, float exponent) {
-    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }
 `,
             "decode_esm": `
 // umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 float umbrage_decode_esm(float m, float receiver, float exponent) {
-    float d = umbrage_forward_depth(receiver);
-    float p = m * umbrage_warp_depth(d, -exponent);
+    float d = umbrage_to_forward_depth(receiver);
+    float p = m * umbrage_exponential_warp(d, -exponent);
     float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
@@ -6276,16 +6284,16 @@ float umbrage_decode_esm(float m, float receiver, float exponent) {
             "encode_evsm2": `
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
 float2 umbrage_encode_evsm2(float depth, float exponent) {
-    float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return float2(w, w * w);
 }
 `,
             "encode_evsm4": `
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
 float4 umbrage_encode_evsm4(float depth, float2 exponents) {
-    float d = umbrage_forward_depth(umbrage_saturate(depth));
-    float w = umbrage_warp_depth(d, exponents.x);
-    float n = -umbrage_warp_depth(d, -exponents.y);
+    float d = umbrage_to_forward_depth(umbrage_saturate(depth));
+    float w = umbrage_exponential_warp(d, exponents.x);
+    float n = -umbrage_exponential_warp(d, -exponents.y);
     return float4(w, w * w, n, n * n);
 }
 `,
@@ -6294,8 +6302,8 @@ float4 umbrage_encode_evsm4(float depth, float2 exponents) {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
-    float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    float w = umbrage_warp_depth(d, exponent);
+    float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    float w = umbrage_exponential_warp(d, exponent);
     precise float least = deviation * w;
     precise float least_variance = least * least;
     float lit = umbrage_chebyshev(m, w, least_variance);
@@ -6307,9 +6315,9 @@ float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float devia
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 deviations) {
-    float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    float w = umbrage_warp_depth(d, exponents.x);
-    float n = -umbrage_warp_depth(d, -exponents.y);
+    float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    float w = umbrage_exponential_warp(d, exponents.x);
+    float n = -umbrage_exponential_warp(d, -exponents.y);
     precise float2 least = deviations * float2(w, n);
     precise float2 least_variance = least * least;
     float a = umbrage_chebyshev(float2(m.x, m.y), w, least_variance.x);
@@ -6321,14 +6329,14 @@ float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 de
             "encode_msm": `
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 float4 umbrage_encode_msm(float depth) {
-    precise float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    precise float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     float square = z * z;
     return float4(z, square, square * z, square * square);
 }
 `,
-            "turn_moments": `
-// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
-float4 umbrage_turn_moments(float4 b) {
+            "to_optimized_moments": `
+// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+float4 umbrage_to_optimized_moments(float4 b) {
     precise float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     precise float y = (b.y - b.w) * 4.0;
     precise float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
@@ -6367,7 +6375,7 @@ float umbrage_hausdorff_share(float4 b, float z) {
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
 float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
     float plain = umbrage_decode_msm(b, receiver, bias);
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_to_forward_depth(receiver);
     float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
     float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     float lit = share >= 0.0 ? 1.0 - share : plain;
@@ -6376,7 +6384,7 @@ float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
 `,
             "fetch_bilinear": `
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
     float2 x = floor(coord * 256.0) - 128.0;
     float2 texel = floor(x * (1.0 / 256.0));
@@ -6395,10 +6403,10 @@ float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
 `,
             "vsm": `
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float min_variance) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_vsm(float2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -6406,10 +6414,10 @@ float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, fl
 `,
             "esm": `
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -6417,10 +6425,10 @@ float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, fl
 `,
             "evsm2": `
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent, float deviation) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_evsm2(float2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -6428,10 +6436,10 @@ float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, 
 `,
             "evsm4": `
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 exponents, float2 deviations) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -6439,32 +6447,32 @@ float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, 
 `,
             "msm": `
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 float umbrage_msm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
 }
 `,
-            "msm_turned": `
-// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+            "msm_unorm16": `
+// umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
-float umbrage_msm_turned(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+float umbrage_msm_unorm16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
-    float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
 }
 `,
             "msm_hausdorff": `
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 float umbrage_msm_hausdorff(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -6485,7 +6493,7 @@ float umbrage_chebyshev_hardware(float variance, float distance, float amount) {
 //   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
 float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_variance, float amount) {
     float variance = max(held.y * held.y * 0.25, min_variance);
-    float distance = umbrage_forward_depth(receiver) - held.x;
+    float distance = umbrage_to_forward_depth(receiver) - held.x;
     float lit = umbrage_chebyshev_hardware(variance, distance, amount);
     return abs(receiver) < 1048576.0 ? lit : 0.0;
 }
@@ -6495,7 +6503,7 @@ float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_varianc
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
 float umbrage_decode_evsm2_hardware(float2 m, float receiver, float exponent, float deviation, float amount) {
-    float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     float w = exp2(exponent * (d * 2.0 - 1.0));
     float least = deviation * w;
     float variance = max(m.y - m.x * m.x, least * least);
@@ -6508,7 +6516,7 @@ float umbrage_decode_evsm2_hardware(float2 m, float receiver, float exponent, fl
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
 float umbrage_decode_evsm4_hardware(float4 m, float receiver, float2 exponents, float2 deviations, float amount) {
-    float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     float w = exp2(exponents.x * d);
     float n = 0.0 - exp2((0.0 - exponents.y) * d);
     float2 least = deviations * float2(w, n);
@@ -6666,10 +6674,10 @@ float umbrage_kernel_bias(float3 normal, float3 direction, float3 way, float wid
     return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
 }
 `,
-            "receiver_plane": `
-// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+            "receiver_plane_slope": `
+// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
 //   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
-float3 umbrage_receiver_plane(float3 dx, float3 dy) {
+float3 umbrage_receiver_plane_slope(float3 dx, float3 dy) {
     precise float determinant = dx.x * dy.y + dx.y * -dy.x;
     precise float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
     precise float along_x = dy.y * dx.z + dx.y * -dy.z;
@@ -6683,10 +6691,10 @@ float3 umbrage_receiver_plane(float3 dx, float3 dy) {
     return known ? float3(a, b, umbrage_clamp_slope(error)) : float3(0.0, 0.0, 0.0);
 }
 `,
-            "on_receiver_plane": `
-// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+            "apply_receiver_plane": `
+// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
 //   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
-float umbrage_on_receiver_plane(float stored, float2 slope, float2 coord, float2 texel) {
+float umbrage_apply_receiver_plane(float stored, float2 slope, float2 coord, float2 texel) {
     precise float2 way = texel + 0.5 - coord;
     precise float depth = stored - (slope.x * way.x + slope.y * way.y);
     bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
@@ -6713,11 +6721,11 @@ float umbrage_acne_free_disc_bias(float2 slope, float radius, float error) {
     return umbrage_clamp_bias(bias);
 }
 `,
-            "detachment": `
-// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+            "peter_panning_distance": `
+// umbrage_peter_panning_distance: a caster nearer to the receiver loses its shadow, or a part of it; depth, 0.0 to 1.0
 //   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
 //   reach  of the filter, texels
-float umbrage_detachment(float bias, float2 caster_slope, float reach) {
+float umbrage_peter_panning_distance(float bias, float2 caster_slope, float reach) {
     return umbrage_acne_free_bias(caster_slope, reach, bias);
 }
 `,
@@ -6739,9 +6747,9 @@ float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, floa
     return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 `,
-            "false_colour": `
-// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
-float3 umbrage_false_colour(float v) {
+            "false_color": `
+// umbrage_false_color: blue for 0.0, through green, to red for 1.0
+float3 umbrage_false_color(float v) {
     float x = umbrage_saturate(v) * 4.0;
     precise float3 ramp = 1.5 - abs(float3(x - 3.0, x - 2.0, x - 1.0));
     return float3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
@@ -6749,7 +6757,7 @@ float3 umbrage_false_colour(float v) {
 `,
             "overlay_texel": `
 // umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
 //   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
 float umbrage_overlay_texel(float coord, float size, float map_size, float texels_per_pixel) {
     float texel = floor(coord * texels_per_pixel - 0.5);
@@ -6769,33 +6777,33 @@ float umbrage_cleared_depth() {
     return 0.0;
 }
 `,
-            "hooks/beyond_far, forward": `
-// umbrage_beyond_far: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far(float receiver) {
+            "hooks/beyond_far_plane, forward": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 `,
-            "hooks/beyond_far, reversed": `
-// umbrage_beyond_far: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far(float receiver) {
+            "hooks/beyond_far_plane, reversed": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver < 0.0;
 }
 `,
-            "hooks/beyond_far, scaled": `
-// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
-precise bool umbrage_beyond_far(float receiver) {
+            "hooks/beyond_far_plane, scaled": `
+// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+precise bool umbrage_beyond_far_plane(float receiver) {
     return false;
 }
 `,
-            "hooks/before_far, forward": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-precise bool umbrage_before_far(float receiver) {
+            "hooks/within_far_plane, forward": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_within_far_plane(float receiver) {
     return receiver <= 1.0;
 }
 `,
-            "hooks/before_far, reversed": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-precise bool umbrage_before_far(float receiver) {
+            "hooks/within_far_plane, reversed": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_within_far_plane(float receiver) {
     return receiver >= 0.0;
 }
 `,
@@ -6940,7 +6948,7 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     float2 at = texel + UMBRAGE_ORIGIN;
     float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
-    return umbrage_before_far(receiver) ? lit : 0.0;
+    return umbrage_within_far_plane(receiver) ? lit : 0.0;
 }
 `,
             "hooks/lit_filtered, bordered": `
@@ -6954,7 +6962,7 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = clamp(min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
+    return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
             "hooks/lit_at, sampled": `
@@ -7182,10 +7190,10 @@ inline float3 umbrage_cube_direction(float face, float2 st) {
     return umbrage_cube_point(face, float3(uv, 1.0));
 }
 `,
-            "cube_neighbour": `
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+            "cube_neighbor": `
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-inline float3 umbrage_cube_neighbour(float3 texel, float size) {
+inline float3 umbrage_cube_neighbor(float3 texel, float size) {
     float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = metal::abs(uv.x) > size;
     bool beyond_v = metal::abs(uv.y) > size;
@@ -7297,10 +7305,10 @@ inline float umbrage_tetrahedron_face_of(float2 texel, float size) {
     return metal::abs(off.y) >= metal::abs(off.x) ? column : row;
 }
 `,
-            "pancaked": `
-// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+            "pancake": `
+// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
-inline float4 umbrage_pancaked(float4 position, float at_near) {
+inline float4 umbrage_pancake(float4 position, float at_near) {
     float plane = at_near * position.w;
     bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
     return float4(position.x, position.y, before ? plane : position.z, position.w);
@@ -7416,9 +7424,9 @@ inline float umbrage_saturate(float v) {
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 `,
-            "mend_quotient": `
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-inline float umbrage_mend_quotient(float q, float a, float b) {
+            "correct_quotient": `
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+inline float umbrage_correct_quotient(float q, float a, float b) {
     float low = q * b > a ? q - 1.0 : q;
     return (low + 1.0) * b <= a ? low + 1.0 : low;
 }
@@ -7426,7 +7434,7 @@ inline float umbrage_mend_quotient(float q, float a, float b) {
             "floor_divide": `
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 inline float umbrage_floor_divide(float a, float b) {
-    return umbrage_mend_quotient(metal::floor(a / b), a, b);
+    return umbrage_correct_quotient(metal::floor(a / b), a, b);
 }
 `,
             "to_unorm": `
@@ -7712,7 +7720,7 @@ inline float2 umbrage_encode_rg16_table(UMBRAGE_MAP table, float depth) {
 `,
             "decode_rg9": `
 // umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 inline float umbrage_decode_rg9(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
@@ -7720,7 +7728,7 @@ inline float umbrage_decode_rg9(float2 c, float edge) {
 `,
             "decode_rg10": `
 // umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 inline float umbrage_decode_rg10(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
@@ -7728,7 +7736,7 @@ inline float umbrage_decode_rg10(float2 c, float edge) {
 `,
             "decode_rg11": `
 // umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 inline float umbrage_decode_rg11(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
@@ -7736,7 +7744,7 @@ inline float umbrage_decode_rg11(float2 c, float edge) {
 `,
             "decode_rg12": `
 // umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 inline float umbrage_decode_rg12(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
@@ -7744,7 +7752,7 @@ inline float umbrage_decode_rg12(float2 c, float edge) {
 `,
             "decode_rg13": `
 // umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 inline float umbrage_decode_rg13(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
@@ -7752,7 +7760,7 @@ inline float umbrage_decode_rg13(float2 c, float edge) {
 `,
             "decode_rg14": `
 // umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 inline float umbrage_decode_rg14(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
@@ -7760,7 +7768,7 @@ inline float umbrage_decode_rg14(float2 c, float edge) {
 `,
             "decode_rg15": `
 // umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 inline float umbrage_decode_rg15(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
@@ -7768,7 +7776,7 @@ inline float umbrage_decode_rg15(float2 c, float edge) {
 `,
             "decode_rg16": `
 // umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 inline float umbrage_decode_rg16(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
@@ -7983,11 +7991,11 @@ inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     return umbrage_fetch_depth(map, size, metal::floor(uv * size));
 }
 `,
-            "is_compared": `
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-inline bool umbrage_is_compared(float2 coord, float receiver) {
+            "in_filter_domain": `
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 `,
             "lit": `
@@ -8006,12 +8014,12 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
     return float4(a, b, c, d);
 }
 `,
-            "before_far": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-inline bool umbrage_before_far(float receiver) {
+            "within_far_plane": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_within_far_plane(float receiver) {
     // a sum of choices, not an or of comparisons, which compilers take for true
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
 }
 `,
             "compare_dx_sdk": `
@@ -8030,13 +8038,13 @@ inline float umbrage_compare_exercise(float current, float stored, float epsilon
 `,
             "window_sum3": `
 // umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                  float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
     float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -8061,13 +8069,13 @@ inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, flo
 `,
             "window_sum5": `
 // umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                  float k1, float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
     float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -8101,13 +8109,13 @@ inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, flo
 `,
             "window_sum7": `
 // umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                  float k1, float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
     float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -8150,9 +8158,9 @@ inline float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, flo
     return compared ? n : whole * whole;
 }
 `,
-            "disc_turn": `
-// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
-inline float2 umbrage_disc_turn(float2 pixel) {
+            "disc_rotation": `
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+inline float2 umbrage_disc_rotation(float2 pixel) {
     float2 whole = umbrage_inside_texel_space(pixel) ? metal::floor(pixel) : float2(0.0, 0.0);
     float v = whole.x * 4.0 + whole.y;
     v = v - metal::floor(v * (1.0 / 16.0)) * 16.0;
@@ -8160,21 +8168,21 @@ inline float2 umbrage_disc_turn(float2 pixel) {
     float base = v - quarter * 4.0;
     float2 low = base < 0.5 ? float2(64.0, 0.0) : float2(59.0, 24.0);
     float2 high = base < 2.5 ? float2(45.0, 45.0) : float2(24.0, 59.0);
-    float2 turn = base < 1.5 ? low : high;
-    float2 once = quarter < 0.5 ? turn : float2(0.0 - turn.y, turn.x);
-    float2 twice = quarter < 2.5 ? float2(0.0 - turn.x, 0.0 - turn.y) : float2(turn.y, 0.0 - turn.x);
+    float2 first = base < 1.5 ? low : high;
+    float2 once = quarter < 0.5 ? first : float2(0.0 - first.y, first.x);
+    float2 twice = quarter < 2.5 ? float2(0.0 - first.x, 0.0 - first.y) : float2(first.y, 0.0 - first.x);
     return quarter < 1.5 ? once : twice;
 }
 `,
             "disc_tap": `
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+inline float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = metal::floor(at);
     float2 within = metal::clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 scaled = turn * (radius * (1.0 / 16384.0));
+    float2 scaled = rotation * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + metal::floor(float2(x, y));
@@ -8189,102 +8197,102 @@ inline float umbrage_disc_radius(float radius) {
 `,
             "disc8": `
 // umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-inline float umbrage_disc8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_disc8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
     float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 8.0) : 1.0;
 }
 `,
             "disc16": `
 // umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-inline float umbrage_disc16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_disc16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
     float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 16.0) : 1.0;
 }
 `,
             "disc32": `
 // umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-inline float umbrage_disc32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_disc32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
     float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 32.0) : 1.0;
 }
 `,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_hard(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 texel = compared ? metal::floor(coord) : float2(0.0, 0.0);  // no branch: fetches of several taps overlap
     float lit = umbrage_lit(map, size, texel, receiver);
     return compared ? lit : 1.0;
@@ -8301,7 +8309,7 @@ inline float umbrage_four_tap(UMBRAGE_MAP map, float2 size, float2 a, float2 b, 
     float2 d_texel = metal::floor(d);
     float2 sum = metal::abs(a_texel) + metal::abs(b_texel) + metal::abs(c_texel) + metal::abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;
@@ -8309,10 +8317,10 @@ inline float umbrage_four_tap(UMBRAGE_MAP map, float2 size, float2 a, float2 b, 
 `,
             "pcf_2x2": `
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_pcf_2x2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -8325,10 +8333,10 @@ inline float umbrage_pcf_2x2(UMBRAGE_MAP map, float2 size, float2 coord, float r
 `,
             "pcf_2x2_dx_sdk": `
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 inline float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float epsilon) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x);
     float2 weight = x - texel;
@@ -8347,12 +8355,12 @@ inline float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, float2 size, float2 coord, 
 `,
             "box_count": `
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
 inline float umbrage_box_count(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 first = compared ? metal::floor(coord) - float(r) : float2(0.0, 0.0);
     float count = 0.0;
     for (int j = 0; j < 17; j++) {
@@ -8389,10 +8397,10 @@ inline float umbrage_box(UMBRAGE_MAP map, float2 size, float2 coord, float recei
 `,
             "tent2": `
 // umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -8413,7 +8421,7 @@ inline float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 `,
             "tent3": `
 // umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_tent3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
@@ -8422,10 +8430,10 @@ inline float umbrage_tent3(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 `,
             "quadratic_b_spline": `
 // umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -8446,7 +8454,7 @@ inline float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coo
 `,
             "binomial5": `
 // umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
@@ -8455,7 +8463,7 @@ inline float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float
 `,
             "castano_dyadic5": `
 // umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_castano_dyadic5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
@@ -8464,7 +8472,7 @@ inline float umbrage_castano_dyadic5(UMBRAGE_MAP map, float2 size, float2 coord,
 `,
             "castano5": `
 // umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_castano5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
@@ -8473,7 +8481,7 @@ inline float umbrage_castano5(UMBRAGE_MAP map, float2 size, float2 coord, float 
 `,
             "binomial7": `
 // umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
@@ -8482,7 +8490,7 @@ inline float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float
 `,
             "tent7": `
 // umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_tent7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
@@ -8491,7 +8499,7 @@ inline float umbrage_tent7(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 `,
             "castano7": `
 // umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
@@ -8503,7 +8511,7 @@ inline float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float 
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 inline float2 umbrage_cube_lit(UMBRAGE_MAP map, float2 size, float3 texel, float receiver) {
     float side = size.y * 0.5;
-    float3 n = umbrage_cube_neighbour(texel, side);
+    float3 n = umbrage_cube_neighbor(texel, side);
     float2 at = umbrage_cube_tile(n.z, side) + float2(n.x, n.y);
     float lit = umbrage_lit(map, size, at, receiver);
     return n.z < 0.0 ? float2(0.0, 0.0) : float2(lit, 1.0);
@@ -8515,7 +8523,7 @@ inline float2 umbrage_cube_lit(UMBRAGE_MAP map, float2 size, float3 texel, float
 //   receiver   distance from the light, biased
 inline float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float receiver) {
     float2 coord = float2(at.x, at.y);
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -8535,7 +8543,7 @@ inline float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float
 inline float umbrage_four_tap_hardware(UMBRAGE_MAP map, float2 size, float2 a, float2 b, float2 c, float2 d,
                                        float receiver) {
     float2 sum = (metal::abs(a) + metal::abs(b) + metal::abs(c) + metal::abs(d)) * size;
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x + sum.y < 131072.0;
     float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
@@ -8560,22 +8568,22 @@ inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float recei
 `,
             "pcf_2x2_hardware": `
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
     float lit = umbrage_lit_at(map, size, at / size, receiver);
-    float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "window_hardware3": `
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = metal::floor(x);
     float2 s = x - texel;
@@ -8596,17 +8604,17 @@ inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
-    float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "window_hardware5": `
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
 inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1,
                                       float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = metal::floor(x);
     float2 s = x - texel;
@@ -8637,17 +8645,17 @@ inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
-    float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "window_hardware7": `
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
 inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1,
                                       float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = metal::floor(x);
     float2 s = x - texel;
@@ -8690,111 +8698,111 @@ inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord
     row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
-    float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware8": `
 // umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
-                                    float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                    float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
-    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 8.0) : 0.0;
+    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, receiver);
+    float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 8.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware16": `
 // umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
-                                     float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                     float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 16.0) : 0.0;
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware32": `
 // umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
-                                     float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                     float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
-    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 32.0) : 0.0;
+    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 32.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -8803,7 +8811,7 @@ inline float umbrage_disc_hardware32(UMBRAGE_MAP map, float2 size, float2 coord,
 //   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
 //   coord, receiver  as the filter takes them
 inline float umbrage_bounds_lit(UMBRAGE_MAP bounds, float2 size, float2 coord, float receiver, float2 place) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float4 b = umbrage_fetch_clamped(bounds, size, metal::floor((x + place.x) * place.y));
     float all = umbrage_compare(receiver, b.x);
@@ -8824,7 +8832,7 @@ inline float umbrage_distance_code(float depth) {
             "penumbra": `
 // umbrage_penumbra: radius in 1/16 texel, a whole number
 //   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 inline float umbrage_penumbra(float apart, float3 softness) {
     return metal::min(metal::max(metal::floor(apart * softness.x), softness.y), softness.z);
 }
@@ -8840,135 +8848,138 @@ inline float2 umbrage_blocker(UMBRAGE_MAP map, float2 size, float2 texel, float 
             "blockers8": `
 // umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers8(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius,
-                                float2 turn) {
+                                float2 rotation) {
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), rotation, radius), receiver);
     return n;
 }
 `,
             "blockers16": `
 // umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers16(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius,
-                                 float2 turn) {
+                                 float2 rotation) {
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-1.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), rotation, radius), receiver);
     return n;
 }
 `,
             "blockers32": `
 // umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers32(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius,
-                                 float2 turn) {
+                                 float2 rotation) {
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(6.0, -7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-3.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(13.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(10.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-11.0, 9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(12.0, 8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -15.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -15.0), rotation, radius), receiver);
     return n;
 }
 `,
             "pcss8": `
 // umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-inline float umbrage_pcss8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_pcss8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness,
+                           float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "pcss16": `
 // umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-inline float umbrage_pcss16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_pcss16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness,
+                            float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "pcss32": `
 // umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-inline float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness,
+                            float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "blocker_at": `
@@ -8982,120 +8993,120 @@ inline float2 umbrage_blocker_at(UMBRAGE_MAP map, float2 size, float2 uv, float 
             "pcss_radius": `
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
     float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    float least = softness.y * 0.0625;
-    return radius > least ? metal::min(radius, softness.z * 0.0625) : least;
+    float min_radius = softness.y * 0.0625;
+    return radius > min_radius ? metal::min(radius, softness.z * 0.0625) : min_radius;
 }
 `,
             "blockers_hardware8": `
 // umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
-                                         float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                         float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 7.0, receiver);
     return compared ? n : float2(0.0, 0.0);
 }
 `,
             "blockers_hardware16": `
 // umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
-                                          float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                          float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
     return compared ? n : float2(0.0, 0.0);
 }
 `,
             "blockers_hardware32": `
 // umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
-                                          float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                          float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 15.0, receiver);
     return compared ? n : float2(0.0, 0.0);
 }
 `,
-            "hardened8": `
-// umbrage_hardened8: the share of 8 points in shadow, steepened
+            "hardened_kernel8": `
+// umbrage_hardened_kernel8: the share of 8 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-inline float umbrage_hardened8(float blocked, float ratio) {
+inline float umbrage_hardened_kernel8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
     float d = metal::max(8.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 512.0 - d * d * d;
@@ -9103,10 +9114,10 @@ inline float umbrage_hardened8(float blocked, float ratio) {
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
 }
 `,
-            "hardened16": `
-// umbrage_hardened16: the share of 16 points in shadow, steepened
+            "hardened_kernel16": `
+// umbrage_hardened_kernel16: the share of 16 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-inline float umbrage_hardened16(float blocked, float ratio) {
+inline float umbrage_hardened_kernel16(float blocked, float ratio) {
     float u = blocked * 2.0 - 16.0;
     float d = metal::max(16.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 4096.0 - d * d * d;
@@ -9114,10 +9125,10 @@ inline float umbrage_hardened16(float blocked, float ratio) {
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
 }
 `,
-            "hardened32": `
-// umbrage_hardened32: the share of 32 points in shadow, steepened
+            "hardened_kernel32": `
+// umbrage_hardened_kernel32: the share of 32 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-inline float umbrage_hardened32(float blocked, float ratio) {
+inline float umbrage_hardened_kernel32(float blocked, float ratio) {
     float u = blocked * 2.0 - 32.0;
     float d = metal::max(32.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 32768.0 - d * d * d;
@@ -9127,52 +9138,55 @@ inline float umbrage_hardened32(float blocked, float ratio) {
 `,
             "dpcf8": `
 // umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-inline float umbrage_dpcf8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_dpcf8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness,
+                           float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
-    float dark = umbrage_hardened8(found.x, ratio);
+    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(search_radius, 1.0));
+    float dark = umbrage_hardened_kernel8(found.x, ratio);
     return compared ? metal::clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf16": `
 // umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-inline float umbrage_dpcf16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_dpcf16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness,
+                            float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
-    float dark = umbrage_hardened16(found.x, ratio);
+    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(search_radius, 1.0));
+    float dark = umbrage_hardened_kernel16(found.x, ratio);
     return compared ? metal::clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
             "dpcf32": `
 // umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-inline float umbrage_dpcf32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_dpcf32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness,
+                            float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
-    float dark = umbrage_hardened32(found.x, ratio);
+    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(search_radius, 1.0));
+    float dark = umbrage_hardened_kernel32(found.x, ratio);
     return compared ? metal::clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 `,
@@ -9210,11 +9224,11 @@ inline float4 umbrage_box_moments(UMBRAGE_MAP map, float2 size, float2 first, fl
             "summed_variance": `
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 inline float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
                                      float codes) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = size - 1.0;
     float2 texel = compared ? metal::clamp(metal::floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = metal::max(texel - radius, float2(0.0, 0.0));
@@ -9253,9 +9267,9 @@ inline float4 umbrage_box_mean(UMBRAGE_MAP map, float2 size, float2 first, float
     return sum / (sides.x * sides.y);
 }
 `,
-            "turn_moments_back": `
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-inline float4 umbrage_turn_moments_back(float4 o) {
+            "from_optimized_moments": `
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+inline float4 umbrage_from_optimized_moments(float4 o) {
     float x = o.x - 0.5;
     float z = o.z - 0.5;
     float eighth = o.y * 0.125;
@@ -9276,9 +9290,9 @@ inline float4 umbrage_bias_moments(float4 b, float2 bias) {
     return float4(x, y, z, w);
 }
 `,
-            "forward_depth": `
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-inline float umbrage_forward_depth(float depth) {
+            "to_forward_depth": `
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 `,
@@ -9309,7 +9323,7 @@ inline float4 umbrage_moment_atoms(float4 b, float x) {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_to_forward_depth(receiver);
     float4 m = umbrage_bias_moments(b, bias);
     float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
     float4 atoms = umbrage_moment_atoms(m, x);
@@ -9324,17 +9338,17 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
             "summed_moments": `
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 inline float umbrage_summed_moments(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
                                     float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = float2(size.x * 0.5, size.y) - 1.0;
     float2 texel = compared ? metal::clamp(metal::floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = metal::max(texel - radius, float2(0.0, 0.0));
     float2 end = metal::min(texel + radius + 1.0, last);
     float4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    float lit = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return compared ? lit : 1.0;
 }
 `,
@@ -9385,9 +9399,9 @@ inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     return receiver <= m.x ? 1.0 : (p > 0.0 ? metal::min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 `,
-            "bleed_cut": `
-// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
-inline float umbrage_bleed_cut(float visibility, float amount) {
+            "reduce_light_bleeding": `
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+inline float umbrage_reduce_light_bleeding(float visibility, float amount) {
     float stretched = (visibility - amount) / (1.0 - amount);
     return visibility > amount ? stretched : 0.0;
 }
@@ -9395,7 +9409,7 @@ inline float umbrage_bleed_cut(float visibility, float amount) {
             "encode_vsm": `
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 inline float2 umbrage_encode_vsm(float depth) {
-    float d = umbrage_forward_depth(umbrage_saturate(depth));
+    float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     return float2(d, d * d);
 }
 `,
@@ -9403,7 +9417,7 @@ inline float2 umbrage_encode_vsm(float depth) {
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 inline float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 `,
             "encode_deviation": `
@@ -9429,9 +9443,9 @@ inline float2 umbrage_decode_deviation_rgba8(float4 c) {
     return umbrage_decode_deviation(float2(mean, deviation));
 }
 `,
-            "warp_depth": `
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-inline float umbrage_warp_depth(float depth, float exponent) {
+            "exponential_warp": `
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+inline float umbrage_exponential_warp(float depth, float exponent) {
     float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -9439,15 +9453,15 @@ inline float umbrage_warp_depth(float depth, float exponent) {
             "encode_esm": `
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
 inline float umbrage_encode_esm(float depth, float exponent) {
-    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }
 `,
             "decode_esm": `
 // umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 inline float umbrage_decode_esm(float m, float receiver, float exponent) {
-    float d = umbrage_forward_depth(receiver);
-    float p = m * umbrage_warp_depth(d, -exponent);
+    float d = umbrage_to_forward_depth(receiver);
+    float p = m * umbrage_exponential_warp(d, -exponent);
     float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
@@ -9455,16 +9469,16 @@ inline float umbrage_decode_esm(float m, float receiver, float exponent) {
             "encode_evsm2": `
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
 inline float2 umbrage_encode_evsm2(float depth, float exponent) {
-    float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return float2(w, w * w);
 }
 `,
             "encode_evsm4": `
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
 inline float4 umbrage_encode_evsm4(float depth, float2 exponents) {
-    float d = umbrage_forward_depth(umbrage_saturate(depth));
-    float w = umbrage_warp_depth(d, exponents.x);
-    float n = -umbrage_warp_depth(d, -exponents.y);
+    float d = umbrage_to_forward_depth(umbrage_saturate(depth));
+    float w = umbrage_exponential_warp(d, exponents.x);
+    float n = -umbrage_exponential_warp(d, -exponents.y);
     return float4(w, w * w, n, n * n);
 }
 `,
@@ -9473,8 +9487,8 @@ inline float4 umbrage_encode_evsm4(float depth, float2 exponents) {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
-    float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    float w = umbrage_warp_depth(d, exponent);
+    float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    float w = umbrage_exponential_warp(d, exponent);
     float least = deviation * w;
     float least_variance = least * least;
     float lit = umbrage_chebyshev(m, w, least_variance);
@@ -9486,9 +9500,9 @@ inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, floa
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 deviations) {
-    float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    float w = umbrage_warp_depth(d, exponents.x);
-    float n = -umbrage_warp_depth(d, -exponents.y);
+    float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    float w = umbrage_exponential_warp(d, exponents.x);
+    float n = -umbrage_exponential_warp(d, -exponents.y);
     float2 least = deviations * float2(w, n);
     float2 least_variance = least * least;
     float a = umbrage_chebyshev(float2(m.x, m.y), w, least_variance.x);
@@ -9500,14 +9514,14 @@ inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, fl
             "encode_msm": `
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 inline float4 umbrage_encode_msm(float depth) {
-    float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     float square = z * z;
     return float4(z, square, square * z, square * square);
 }
 `,
-            "turn_moments": `
-// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
-inline float4 umbrage_turn_moments(float4 b) {
+            "to_optimized_moments": `
+// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+inline float4 umbrage_to_optimized_moments(float4 b) {
     float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     float y = (b.y - b.w) * 4.0;
     float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
@@ -9546,7 +9560,7 @@ inline float umbrage_hausdorff_share(float4 b, float z) {
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
 inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
     float plain = umbrage_decode_msm(b, receiver, bias);
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_to_forward_depth(receiver);
     float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
     float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     float lit = share >= 0.0 ? 1.0 - share : plain;
@@ -9555,7 +9569,7 @@ inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias)
 `,
             "fetch_bilinear": `
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 inline float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
     float2 x = metal::floor(coord * 256.0) - 128.0;
     float2 texel = metal::floor(x * (1.0 / 256.0));
@@ -9574,10 +9588,10 @@ inline float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord)
 `,
             "vsm": `
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 inline float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float min_variance) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_vsm(float2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -9585,10 +9599,10 @@ inline float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float recei
 `,
             "esm": `
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 inline float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -9596,11 +9610,11 @@ inline float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float recei
 `,
             "evsm2": `
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 inline float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent,
                            float deviation) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_evsm2(float2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -9608,11 +9622,11 @@ inline float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 `,
             "evsm4": `
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 inline float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 exponents,
                            float2 deviations) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -9620,32 +9634,32 @@ inline float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 `,
             "msm": `
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 inline float umbrage_msm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
 }
 `,
-            "msm_turned": `
-// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+            "msm_unorm16": `
+// umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
-inline float umbrage_msm_turned(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+inline float umbrage_msm_unorm16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
-    float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
 }
 `,
             "msm_hausdorff": `
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 inline float umbrage_msm_hausdorff(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -9666,7 +9680,7 @@ inline float umbrage_chebyshev_hardware(float variance, float distance, float am
 //   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
 inline float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_variance, float amount) {
     float variance = metal::max(held.y * held.y * 0.25, min_variance);
-    float distance = umbrage_forward_depth(receiver) - held.x;
+    float distance = umbrage_to_forward_depth(receiver) - held.x;
     float lit = umbrage_chebyshev_hardware(variance, distance, amount);
     return metal::abs(receiver) < 1048576.0 ? lit : 0.0;
 }
@@ -9676,7 +9690,7 @@ inline float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
 inline float umbrage_decode_evsm2_hardware(float2 m, float receiver, float exponent, float deviation, float amount) {
-    float d = umbrage_forward_depth(metal::clamp(receiver, 0.0, 1.0));
+    float d = umbrage_to_forward_depth(metal::clamp(receiver, 0.0, 1.0));
     float w = metal::exp2(exponent * (d * 2.0 - 1.0));
     float least = deviation * w;
     float variance = metal::max(m.y - m.x * m.x, least * least);
@@ -9690,7 +9704,7 @@ inline float umbrage_decode_evsm2_hardware(float2 m, float receiver, float expon
 //   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
 inline float umbrage_decode_evsm4_hardware(float4 m, float receiver, float2 exponents, float2 deviations,
                                            float amount) {
-    float d = umbrage_forward_depth(metal::clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    float d = umbrage_to_forward_depth(metal::clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     float w = metal::exp2(exponents.x * d);
     float n = 0.0 - metal::exp2((0.0 - exponents.y) * d);
     float2 least = deviations * float2(w, n);
@@ -9849,10 +9863,10 @@ inline float umbrage_kernel_bias(float3 normal, float3 direction, float3 way, fl
     return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
 }
 `,
-            "receiver_plane": `
-// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+            "receiver_plane_slope": `
+// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
 //   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
-inline float3 umbrage_receiver_plane(float3 dx, float3 dy) {
+inline float3 umbrage_receiver_plane_slope(float3 dx, float3 dy) {
     float determinant = dx.x * dy.y + dx.y * -dy.x;
     float sum = metal::abs(dx.x) + metal::abs(dx.y) + metal::abs(dy.x) + metal::abs(dy.y);
     float along_x = dy.y * dx.z + dx.y * -dy.z;
@@ -9866,10 +9880,10 @@ inline float3 umbrage_receiver_plane(float3 dx, float3 dy) {
     return known ? float3(a, b, umbrage_clamp_slope(error)) : float3(0.0, 0.0, 0.0);
 }
 `,
-            "on_receiver_plane": `
-// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+            "apply_receiver_plane": `
+// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
 //   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
-inline float umbrage_on_receiver_plane(float stored, float2 slope, float2 coord, float2 texel) {
+inline float umbrage_apply_receiver_plane(float stored, float2 slope, float2 coord, float2 texel) {
     float2 way = texel + 0.5 - coord;
     float depth = stored - (slope.x * way.x + slope.y * way.y);
     bool cleared = metal::abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
@@ -9896,11 +9910,11 @@ inline float umbrage_acne_free_disc_bias(float2 slope, float radius, float error
     return umbrage_clamp_bias(bias);
 }
 `,
-            "detachment": `
-// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+            "peter_panning_distance": `
+// umbrage_peter_panning_distance: a caster nearer to the receiver loses its shadow, or a part of it; depth, 0.0 to 1.0
 //   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
 //   reach  of the filter, texels
-inline float umbrage_detachment(float bias, float2 caster_slope, float reach) {
+inline float umbrage_peter_panning_distance(float bias, float2 caster_slope, float reach) {
     return umbrage_acne_free_bias(caster_slope, reach, bias);
 }
 `,
@@ -9922,9 +9936,9 @@ inline float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_
     return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 `,
-            "false_colour": `
-// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
-inline float3 umbrage_false_colour(float v) {
+            "false_color": `
+// umbrage_false_color: blue for 0.0, through green, to red for 1.0
+inline float3 umbrage_false_color(float v) {
     float x = umbrage_saturate(v) * 4.0;
     float3 ramp = 1.5 - metal::abs(float3(x - 3.0, x - 2.0, x - 1.0));
     return float3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
@@ -9932,7 +9946,7 @@ inline float3 umbrage_false_colour(float v) {
 `,
             "overlay_texel": `
 // umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
 //   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
 inline float umbrage_overlay_texel(float coord, float size, float map_size, float texels_per_pixel) {
     float texel = metal::floor(coord * texels_per_pixel - 0.5);
@@ -9952,33 +9966,33 @@ inline float umbrage_cleared_depth() {
     return 0.0;
 }
 `,
-            "hooks/beyond_far, forward": `
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+            "hooks/beyond_far_plane, forward": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 `,
-            "hooks/beyond_far, reversed": `
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+            "hooks/beyond_far_plane, reversed": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver < 0.0;
 }
 `,
-            "hooks/beyond_far, scaled": `
-// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
-inline bool umbrage_beyond_far(float receiver) {
+            "hooks/beyond_far_plane, scaled": `
+// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+inline bool umbrage_beyond_far_plane(float receiver) {
     return false;
 }
 `,
-            "hooks/before_far, forward": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-inline bool umbrage_before_far(float receiver) {
+            "hooks/within_far_plane, forward": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_within_far_plane(float receiver) {
     return receiver <= 1.0;
 }
 `,
-            "hooks/before_far, reversed": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-inline bool umbrage_before_far(float receiver) {
+            "hooks/within_far_plane, reversed": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_within_far_plane(float receiver) {
     return receiver >= 0.0;
 }
 `,
@@ -10123,7 +10137,7 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
     float2 at = texel + UMBRAGE_ORIGIN;
     float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
-    return umbrage_before_far(receiver) ? lit : 0.0;
+    return umbrage_within_far_plane(receiver) ? lit : 0.0;
 }
 `,
             "hooks/lit_filtered, bordered": `
@@ -10137,7 +10151,7 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = metal::clamp(metal::min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
+    return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
             "hooks/lit_at, sampled": `
@@ -10364,10 +10378,10 @@ fn umbrage_cube_direction(face: f32, st: vec2f) -> vec3f {
     return umbrage_cube_point(face, vec3f(uv, 1.0));
 }
 `,
-            "cube_neighbour": `
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+            "cube_neighbor": `
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-fn umbrage_cube_neighbour(texel: vec3f, size: f32) -> vec3f {
+fn umbrage_cube_neighbor(texel: vec3f, size: f32) -> vec3f {
     let uv: vec2f = vec2f(texel.x, texel.y) * 2.0 + (1.0 - size);
     let beyond_u: bool = abs(uv.x) > size;
     let beyond_v: bool = abs(uv.y) > size;
@@ -10479,10 +10493,10 @@ fn umbrage_tetrahedron_face_of(texel: vec2f, size: f32) -> f32 {
     return select(row, column, abs(off.y) >= abs(off.x));
 }
 `,
-            "pancaked": `
-// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+            "pancake": `
+// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
-fn umbrage_pancaked(position: vec4f, at_near: f32) -> vec4f {
+fn umbrage_pancake(position: vec4f, at_near: f32) -> vec4f {
     let plane: f32 = at_near * position.w;
     let before: bool = select((position.z < plane), (position.z > plane), at_near > 0.5);
     return vec4f(position.x, position.y, select(position.z, plane, before), position.w);
@@ -10598,9 +10612,9 @@ fn umbrage_saturate(v: f32) -> f32 {
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 `,
-            "mend_quotient": `
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-fn umbrage_mend_quotient(q: f32, a: f32, b: f32) -> f32 {
+            "correct_quotient": `
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+fn umbrage_correct_quotient(q: f32, a: f32, b: f32) -> f32 {
     let low: f32 = select(q, q - 1.0, q * b > a);
     return select(low, low + 1.0, (low + 1.0) * b <= a);
 }
@@ -10608,7 +10622,7 @@ fn umbrage_mend_quotient(q: f32, a: f32, b: f32) -> f32 {
             "floor_divide": `
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }
 `,
             "to_unorm": `
@@ -10894,7 +10908,7 @@ fn umbrage_encode_rg16_table(UMBRAGE_MAP table, depth: f32) -> vec2f {
 `,
             "decode_rg9": `
 // umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 fn umbrage_decode_rg9(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
@@ -10902,7 +10916,7 @@ fn umbrage_decode_rg9(c: vec2f, edge: f32) -> f32 {
 `,
             "decode_rg10": `
 // umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 fn umbrage_decode_rg10(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
@@ -10910,7 +10924,7 @@ fn umbrage_decode_rg10(c: vec2f, edge: f32) -> f32 {
 `,
             "decode_rg11": `
 // umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 fn umbrage_decode_rg11(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
@@ -10918,7 +10932,7 @@ fn umbrage_decode_rg11(c: vec2f, edge: f32) -> f32 {
 `,
             "decode_rg12": `
 // umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 fn umbrage_decode_rg12(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
@@ -10926,7 +10940,7 @@ fn umbrage_decode_rg12(c: vec2f, edge: f32) -> f32 {
 `,
             "decode_rg13": `
 // umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 fn umbrage_decode_rg13(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
@@ -10934,7 +10948,7 @@ fn umbrage_decode_rg13(c: vec2f, edge: f32) -> f32 {
 `,
             "decode_rg14": `
 // umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 fn umbrage_decode_rg14(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
@@ -10942,7 +10956,7 @@ fn umbrage_decode_rg14(c: vec2f, edge: f32) -> f32 {
 `,
             "decode_rg15": `
 // umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 fn umbrage_decode_rg15(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
@@ -10950,7 +10964,7 @@ fn umbrage_decode_rg15(c: vec2f, edge: f32) -> f32 {
 `,
             "decode_rg16": `
 // umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 fn umbrage_decode_rg16(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
@@ -11165,11 +11179,11 @@ fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }
 `,
-            "is_compared": `
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+            "in_filter_domain": `
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 `,
             "lit": `
@@ -11188,12 +11202,12 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
     return vec4f(a, b, c, d);
 }
 `,
-            "before_far": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-fn umbrage_before_far(receiver: f32) -> bool {
+            "within_far_plane": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+fn umbrage_within_far_plane(receiver: f32) -> bool {
     // a sum of choices, not an or of comparisons, which compilers take for true
     let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select((number > 0.5), false, umbrage_beyond_far(receiver));
+    return select((number > 0.5), false, umbrage_beyond_far_plane(receiver));
 }
 `,
             "compare_dx_sdk": `
@@ -11212,12 +11226,12 @@ fn umbrage_compare_exercise(current: f32, stored: f32, epsilon: f32) -> f32 {
 `,
             "window_sum3": `
 // umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -11242,13 +11256,13 @@ fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
 `,
             "window_sum5": `
 // umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
                        k2: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -11282,13 +11296,13 @@ fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
 `,
             "window_sum7": `
 // umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_sum7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32, k2: f32,
                        k3: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -11331,9 +11345,9 @@ fn umbrage_window_sum7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     return select(whole * whole, n, compared);
 }
 `,
-            "disc_turn": `
-// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
-fn umbrage_disc_turn(pixel: vec2f) -> vec2f {
+            "disc_rotation": `
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
     let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
     var v: f32 = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -11341,21 +11355,21 @@ fn umbrage_disc_turn(pixel: vec2f) -> vec2f {
     let base: f32 = v - quarter * 4.0;
     let low: vec2f = select(vec2f(59.0, 24.0), vec2f(64.0, 0.0), base < 0.5);
     let high: vec2f = select(vec2f(24.0, 59.0), vec2f(45.0, 45.0), base < 2.5);
-    let turn: vec2f = select(high, low, base < 1.5);
-    let once: vec2f = select(vec2f(0.0 - turn.y, turn.x), turn, quarter < 0.5);
-    let twice: vec2f = select(vec2f(turn.y, 0.0 - turn.x), vec2f(0.0 - turn.x, 0.0 - turn.y), quarter < 2.5);
+    let first: vec2f = select(high, low, base < 1.5);
+    let once: vec2f = select(vec2f(0.0 - first.y, first.x), first, quarter < 0.5);
+    let twice: vec2f = select(vec2f(first.y, 0.0 - first.x), vec2f(0.0 - first.x, 0.0 - first.y), quarter < 2.5);
     return select(twice, once, quarter < 1.5);
 }
 `,
             "disc_tap": `
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, turn: vec2f, radius: f32) -> vec2f {
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let scaled: vec2f = turn * (radius * (1.0 / 16384.0));
+    let scaled: vec2f = rotation * (radius * (1.0 / 16384.0));
     let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
     let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2f(x, y));
@@ -11370,102 +11384,102 @@ fn umbrage_disc_radius(radius: f32) -> f32 {
 `,
             "disc8": `
 // umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-fn umbrage_disc8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_disc8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let rho: f32 = umbrage_disc_radius(radius);
     var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), rotation, rho), receiver);
     return select(1.0, n * (1.0 / 8.0), compared);
 }
 `,
             "disc16": `
 // umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-fn umbrage_disc16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_disc16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let rho: f32 = umbrage_disc_radius(radius);
     var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-1.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-1.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), rotation, rho), receiver);
     return select(1.0, n * (1.0 / 16.0), compared);
 }
 `,
             "disc32": `
 // umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-fn umbrage_disc32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_disc32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let rho: f32 = umbrage_disc_radius(radius);
     var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-2.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(6.0, -7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-3.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(13.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(10.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-11.0, 9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(12.0, 8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -15.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-2.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(6.0, -7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-3.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(13.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(10.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-11.0, 9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(12.0, 8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -15.0), rotation, rho), receiver);
     return select(1.0, n * (1.0 / 32.0), compared);
 }
 `,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_hard(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let texel: vec2f = select(vec2f(0.0, 0.0), floor(coord), compared);  // no branch: fetches of several taps overlap
     let lit: f32 = umbrage_lit(map, size, texel, receiver);
     return select(1.0, lit, compared);
@@ -11482,7 +11496,7 @@ fn umbrage_four_tap(UMBRAGE_MAP map, size: vec2f, a: vec2f, b: vec2f, c: vec2f, 
     let d_texel: vec2f = floor(d);
     let sum: vec2f = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    let compared: bool = select(sum.x < 131072.0 && sum.y * 2.0 < 262144.0, false, umbrage_beyond_far(receiver));
+    let compared: bool = select(sum.x < 131072.0 && sum.y * 2.0 < 262144.0, false, umbrage_beyond_far_plane(receiver));
     let count: f32 = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return select(1.0, count * 0.25, compared);
@@ -11490,10 +11504,10 @@ fn umbrage_four_tap(UMBRAGE_MAP map, size: vec2f, a: vec2f, b: vec2f, c: vec2f, 
 `,
             "pcf_2x2": `
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_pcf_2x2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -11506,10 +11520,10 @@ fn umbrage_pcf_2x2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) ->
 `,
             "pcf_2x2_dx_sdk": `
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 fn umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, epsilon: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x);
     let weight: vec2f = x - texel;
@@ -11528,12 +11542,12 @@ fn umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: 
 `,
             "box_count": `
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
 fn umbrage_box_count(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
     let r: i32 = select(select(8, radius, radius < 8), 0, radius < 0);
     let width: i32 = 2 * r + 1;
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let first: vec2f = select(vec2f(0.0, 0.0), floor(coord) - f32(r), compared);
     var count: f32 = 0.0;
     for (var j: i32 = 0; j < 17; j++) {
@@ -11570,10 +11584,10 @@ fn umbrage_box(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius
 `,
             "tent2": `
 // umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_tent2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -11594,7 +11608,7 @@ fn umbrage_tent2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f
 `,
             "tent3": `
 // umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_tent3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
@@ -11603,10 +11617,10 @@ fn umbrage_tent3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f
 `,
             "quadratic_b_spline": `
 // umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_quadratic_b_spline(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -11627,7 +11641,7 @@ fn umbrage_quadratic_b_spline(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiv
 `,
             "binomial5": `
 // umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_binomial5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
@@ -11636,7 +11650,7 @@ fn umbrage_binomial5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) 
 `,
             "castano_dyadic5": `
 // umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_castano_dyadic5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
@@ -11645,7 +11659,7 @@ fn umbrage_castano_dyadic5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver:
 `,
             "castano5": `
 // umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_castano5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
@@ -11654,7 +11668,7 @@ fn umbrage_castano5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -
 `,
             "binomial7": `
 // umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_binomial7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
@@ -11663,7 +11677,7 @@ fn umbrage_binomial7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) 
 `,
             "tent7": `
 // umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_tent7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
@@ -11672,7 +11686,7 @@ fn umbrage_tent7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f
 `,
             "castano7": `
 // umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_castano7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
@@ -11684,7 +11698,7 @@ fn umbrage_castano7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 fn umbrage_cube_lit(UMBRAGE_MAP map, size: vec2f, texel: vec3f, receiver: f32) -> vec2f {
     let side: f32 = size.y * 0.5;
-    let n: vec3f = umbrage_cube_neighbour(texel, side);
+    let n: vec3f = umbrage_cube_neighbor(texel, side);
     let at: vec2f = umbrage_cube_tile(n.z, side) + vec2f(n.x, n.y);
     let lit: f32 = umbrage_lit(map, size, at, receiver);
     return select(vec2f(lit, 1.0), vec2f(0.0, 0.0), n.z < 0.0);
@@ -11696,7 +11710,7 @@ fn umbrage_cube_lit(UMBRAGE_MAP map, size: vec2f, texel: vec3f, receiver: f32) -
 //   receiver   distance from the light, biased
 fn umbrage_pcf_2x2_cube(UMBRAGE_MAP map, size: vec2f, at: vec3f, receiver: f32) -> f32 {
     let coord: vec2f = vec2f(at.x, at.y);
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0 + 0.5) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -11716,7 +11730,7 @@ fn umbrage_pcf_2x2_cube(UMBRAGE_MAP map, size: vec2f, at: vec3f, receiver: f32) 
 fn umbrage_four_tap_hardware(UMBRAGE_MAP map, size: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f,
                              receiver: f32) -> f32 {
     let sum: vec2f = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
-    let compared: bool = select((sum.x + sum.y < 131072.0), false, umbrage_beyond_far(receiver));
+    let compared: bool = select((sum.x + sum.y < 131072.0), false, umbrage_beyond_far_plane(receiver));
     let count: f32 = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
@@ -11740,22 +11754,22 @@ fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32
 `,
             "pcf_2x2_hardware": `
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), coord, compared);
     let lit: f32 = umbrage_lit_at(map, size, at / size, receiver);
-    let visibility: f32 = select(0.0, lit, umbrage_before_far(receiver));
+    let visibility: f32 = select(0.0, lit, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
 `,
             "window_hardware3": `
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
     let s: vec2f = x - texel;
@@ -11776,17 +11790,17 @@ fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
     n += w1.y * row;
     let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
-    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
+    let visibility: f32 = select(0.0, share, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
 `,
             "window_hardware5": `
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
 fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32,
                             k2: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
     let s: vec2f = x - texel;
@@ -11817,17 +11831,17 @@ fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p2.y), receiver);
     n += w2.y * row;
     let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
-    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
+    let visibility: f32 = select(0.0, share, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
 `,
             "window_hardware7": `
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
 fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32, k2: f32,
                             k3: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
     let s: vec2f = x - texel;
@@ -11870,108 +11884,111 @@ fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p3.y), receiver);
     n += w3.y * row;
     let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
-    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
+    let visibility: f32 = select(0.0, share, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
 `,
             "disc_hardware8": `
 // umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-fn umbrage_disc_hardware8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_disc_hardware8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                          rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: f32 = 0.0;
-    n += umbrage_lit_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
-    let visibility: f32 = select(0.0, n * (1.0 / 8.0), umbrage_before_far(receiver));
+    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, receiver);
+    let visibility: f32 = select(0.0, n * (1.0 / 8.0), umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
 `,
             "disc_hardware16": `
 // umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-fn umbrage_disc_hardware16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_disc_hardware16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                           rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: f32 = 0.0;
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_before_far(receiver));
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
 `,
             "disc_hardware32": `
 // umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-fn umbrage_disc_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_disc_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                           rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: f32 = 0.0;
-    n += umbrage_lit_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
-    let visibility: f32 = select(0.0, n * (1.0 / 32.0), umbrage_before_far(receiver));
+    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    let visibility: f32 = select(0.0, n * (1.0 / 32.0), umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
 `,
@@ -11980,7 +11997,7 @@ fn umbrage_disc_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver:
 //   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
 //   coord, receiver  as the filter takes them
 fn umbrage_bounds_lit(UMBRAGE_MAP bounds, size: vec2f, coord: vec2f, receiver: f32, place: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let b: vec4f = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
     let all: f32 = umbrage_compare(receiver, b.x);
@@ -12001,7 +12018,7 @@ fn umbrage_distance_code(depth: f32) -> f32 {
             "penumbra": `
 // umbrage_penumbra: radius in 1/16 texel, a whole number
 //   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 fn umbrage_penumbra(apart: f32, softness: vec3f) -> f32 {
     return min(max(floor(apart * softness.x), softness.y), softness.z);
 }
@@ -12017,132 +12034,135 @@ fn umbrage_blocker(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
             "blockers8": `
 // umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
-fn umbrage_blockers8(UMBRAGE_MAP map, size: vec2f, position: vec2f, receiver: f32, radius: f32, turn: vec2f) -> vec2f {
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_blockers8(UMBRAGE_MAP map, size: vec2f, position: vec2f, receiver: f32, radius: f32,
+                     rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-12.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, -7.0), rotation, radius), receiver);
     return n;
 }
 `,
             "blockers16": `
 // umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
-fn umbrage_blockers16(UMBRAGE_MAP map, size: vec2f, position: vec2f, receiver: f32, radius: f32, turn: vec2f) -> vec2f {
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_blockers16(UMBRAGE_MAP map, size: vec2f, position: vec2f, receiver: f32, radius: f32,
+                      rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-12.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-1.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), rotation, radius), receiver);
     return n;
 }
 `,
             "blockers32": `
 // umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
-fn umbrage_blockers32(UMBRAGE_MAP map, size: vec2f, position: vec2f, receiver: f32, radius: f32, turn: vec2f) -> vec2f {
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_blockers32(UMBRAGE_MAP map, size: vec2f, position: vec2f, receiver: f32, radius: f32,
+                      rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-2.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(6.0, -7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-3.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(13.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(10.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-11.0, 9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(12.0, 8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -15.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -15.0), rotation, radius), receiver);
     return n;
 }
 `,
             "pcss8": `
 // umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-fn umbrage_pcss8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+fn umbrage_pcss8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let widest: f32 = umbrage_penumbra(z, softness);
-    let found: vec2f = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "pcss16": `
 // umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-fn umbrage_pcss16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+fn umbrage_pcss16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let widest: f32 = umbrage_penumbra(z, softness);
-    let found: vec2f = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "pcss32": `
 // umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-fn umbrage_pcss32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+fn umbrage_pcss32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let widest: f32 = umbrage_penumbra(z, softness);
-    let found: vec2f = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 `,
             "blocker_at": `
@@ -12156,120 +12176,120 @@ fn umbrage_blocker_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) ->
             "pcss_radius": `
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
     let forward: bool = umbrage_cleared_depth() > 0.5;
     let mean: f32 = select(select(1.0, 0.0, forward), found.y / found.x, found.x > 0.5);
     let radius: f32 = select(mean - receiver, receiver - mean, forward) * (softness.x * 4096.0);
-    let least: f32 = softness.y * 0.0625;
-    return select(least, min(radius, softness.z * 0.0625), radius > least);
+    let min_radius: f32 = softness.y * 0.0625;
+    return select(min_radius, min(radius, softness.z * 0.0625), radius > min_radius);
 }
 `,
             "blockers_hardware8": `
 // umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                              turn: vec2f) -> vec2f {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+                              rotation: vec2f) -> vec2f {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 7.0, receiver);
     return select(vec2f(0.0, 0.0), n, compared);
 }
 `,
             "blockers_hardware16": `
 // umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                               turn: vec2f) -> vec2f {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+                               rotation: vec2f) -> vec2f {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
     return select(vec2f(0.0, 0.0), n, compared);
 }
 `,
             "blockers_hardware32": `
 // umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                               turn: vec2f) -> vec2f {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+                               rotation: vec2f) -> vec2f {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 15.0, receiver);
     return select(vec2f(0.0, 0.0), n, compared);
 }
 `,
-            "hardened8": `
-// umbrage_hardened8: the share of 8 points in shadow, steepened
+            "hardened_kernel8": `
+// umbrage_hardened_kernel8: the share of 8 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-fn umbrage_hardened8(blocked: f32, ratio: f32) -> f32 {
+fn umbrage_hardened_kernel8(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 8.0;
     let d: f32 = max(8.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     let steep: f32 = 512.0 - d * d * d;
@@ -12277,10 +12297,10 @@ fn umbrage_hardened8(blocked: f32, ratio: f32) -> f32 {
     return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
 }
 `,
-            "hardened16": `
-// umbrage_hardened16: the share of 16 points in shadow, steepened
+            "hardened_kernel16": `
+// umbrage_hardened_kernel16: the share of 16 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-fn umbrage_hardened16(blocked: f32, ratio: f32) -> f32 {
+fn umbrage_hardened_kernel16(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 16.0;
     let d: f32 = max(16.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     let steep: f32 = 4096.0 - d * d * d;
@@ -12288,10 +12308,10 @@ fn umbrage_hardened16(blocked: f32, ratio: f32) -> f32 {
     return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
 }
 `,
-            "hardened32": `
-// umbrage_hardened32: the share of 32 points in shadow, steepened
+            "hardened_kernel32": `
+// umbrage_hardened_kernel32: the share of 32 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-fn umbrage_hardened32(blocked: f32, ratio: f32) -> f32 {
+fn umbrage_hardened_kernel32(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 32.0;
     let d: f32 = max(32.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     let steep: f32 = 32768.0 - d * d * d;
@@ -12301,52 +12321,52 @@ fn umbrage_hardened32(blocked: f32, ratio: f32) -> f32 {
 `,
             "dpcf8": `
 // umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-fn umbrage_dpcf8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+fn umbrage_dpcf8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let widest: f32 = umbrage_penumbra(z, softness);
-    let found: vec2f = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    let dark: f32 = umbrage_hardened8(found.x, ratio);
+    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    let dark: f32 = umbrage_hardened_kernel8(found.x, ratio);
     return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }
 `,
             "dpcf16": `
 // umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-fn umbrage_dpcf16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+fn umbrage_dpcf16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let widest: f32 = umbrage_penumbra(z, softness);
-    let found: vec2f = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    let dark: f32 = umbrage_hardened16(found.x, ratio);
+    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    let dark: f32 = umbrage_hardened_kernel16(found.x, ratio);
     return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }
 `,
             "dpcf32": `
 // umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-fn umbrage_dpcf32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+fn umbrage_dpcf32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let widest: f32 = umbrage_penumbra(z, softness);
-    let found: vec2f = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    let dark: f32 = umbrage_hardened32(found.x, ratio);
+    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    let dark: f32 = umbrage_hardened_kernel32(found.x, ratio);
     return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }
 `,
@@ -12384,10 +12404,10 @@ fn umbrage_box_moments(UMBRAGE_MAP map, size: vec2f, first: vec2f, end: vec2f) -
             "summed_variance": `
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 fn umbrage_summed_variance(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, codes: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let last: vec2f = size - 1.0;
     let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
     let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
@@ -12426,9 +12446,9 @@ fn umbrage_box_mean(UMBRAGE_MAP map, size: vec2f, first: vec2f, end: vec2f) -> v
     return sum / (sides.x * sides.y);
 }
 `,
-            "turn_moments_back": `
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-fn umbrage_turn_moments_back(o: vec4f) -> vec4f {
+            "from_optimized_moments": `
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+fn umbrage_from_optimized_moments(o: vec4f) -> vec4f {
     let x: f32 = o.x - 0.5;
     let z: f32 = o.z - 0.5;
     let eighth: f32 = o.y * 0.125;
@@ -12449,9 +12469,9 @@ fn umbrage_bias_moments(b: vec4f, bias: vec2f) -> vec4f {
     return vec4f(x, y, z, w);
 }
 `,
-            "forward_depth": `
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+            "to_forward_depth": `
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 `,
@@ -12482,7 +12502,7 @@ fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_to_forward_depth(receiver);
     let m: vec4f = umbrage_bias_moments(b, bias);
     let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
     let atoms: vec4f = umbrage_moment_atoms(m, x);
@@ -12497,16 +12517,16 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
             "summed_moments": `
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 fn umbrage_summed_moments(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let last: vec2f = vec2f(size.x * 0.5, size.y) - 1.0;
     let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
     let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
     let end: vec2f = min(texel + radius + 1.0, last);
     let turned: vec4f = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    let lit: f32 = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    let lit: f32 = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return select(1.0, lit, compared);
 }
 `,
@@ -12557,9 +12577,9 @@ fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
     return select(select(0.0, min(p, 1.0), p > 0.0), 1.0, receiver <= m.x);  // a GPU's v / v may be more than 1.0
 }
 `,
-            "bleed_cut": `
-// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
-fn umbrage_bleed_cut(visibility: f32, amount: f32) -> f32 {
+            "reduce_light_bleeding": `
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+fn umbrage_reduce_light_bleeding(visibility: f32, amount: f32) -> f32 {
     let stretched: f32 = (visibility - amount) / (1.0 - amount);
     return select(0.0, stretched, visibility > amount);
 }
@@ -12567,7 +12587,7 @@ fn umbrage_bleed_cut(visibility: f32, amount: f32) -> f32 {
             "encode_vsm": `
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_vsm(depth: f32) -> vec2f {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(depth));
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(depth));
     return vec2f(d, d * d);
 }
 `,
@@ -12575,7 +12595,7 @@ fn umbrage_encode_vsm(depth: f32) -> vec2f {
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 fn umbrage_decode_vsm(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 `,
             "encode_deviation": `
@@ -12601,9 +12621,9 @@ fn umbrage_decode_deviation_rgba8(c: vec4f) -> vec2f {
     return umbrage_decode_deviation(vec2f(mean, deviation));
 }
 `,
-            "warp_depth": `
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+            "exponential_warp": `
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_exponential_warp(depth: f32, exponent: f32) -> f32 {
     let y: f32 = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -12611,15 +12631,15 @@ fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
             "encode_esm": `
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_esm(depth: f32, exponent: f32) -> f32 {
-    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }
 `,
             "decode_esm": `
 // umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 fn umbrage_decode_esm(m: f32, receiver: f32, exponent: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
-    let p: f32 = m * umbrage_warp_depth(d, -exponent);
+    let d: f32 = umbrage_to_forward_depth(receiver);
+    let p: f32 = m * umbrage_exponential_warp(d, -exponent);
     let lit: f32 = select(select(0.0, 1.0, p >= 1.0), p, p > 0.0 && p < 1.0);
     return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
 }
@@ -12627,16 +12647,16 @@ fn umbrage_decode_esm(m: f32, receiver: f32, exponent: f32) -> f32 {
             "encode_evsm2": `
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_evsm2(depth: f32, exponent: f32) -> vec2f {
-    let w: f32 = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    let w: f32 = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return vec2f(w, w * w);
 }
 `,
             "encode_evsm4": `
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
 fn umbrage_encode_evsm4(depth: f32, exponents: vec2f) -> vec4f {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(depth));
-    let w: f32 = umbrage_warp_depth(d, exponents.x);
-    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(depth));
+    let w: f32 = umbrage_exponential_warp(d, exponents.x);
+    let n: f32 = -umbrage_exponential_warp(d, -exponents.y);
     return vec4f(w, w * w, n, n * n);
 }
 `,
@@ -12645,8 +12665,8 @@ fn umbrage_encode_evsm4(depth: f32, exponents: vec2f) -> vec4f {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 fn umbrage_decode_evsm2(m: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
-    let w: f32 = umbrage_warp_depth(d, exponent);
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    let w: f32 = umbrage_exponential_warp(d, exponent);
     let least: f32 = deviation * w;
     let least_variance: f32 = least * least;
     let lit: f32 = umbrage_chebyshev(m, w, least_variance);
@@ -12658,9 +12678,9 @@ fn umbrage_decode_evsm2(m: vec2f, receiver: f32, exponent: f32, deviation: f32) 
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
-    let w: f32 = umbrage_warp_depth(d, exponents.x);
-    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    let w: f32 = umbrage_exponential_warp(d, exponents.x);
+    let n: f32 = -umbrage_exponential_warp(d, -exponents.y);
     let least: vec2f = deviations * vec2f(w, n);
     let least_variance: vec2f = least * least;
     let a: f32 = umbrage_chebyshev(vec2f(m.x, m.y), w, least_variance.x);
@@ -12672,14 +12692,14 @@ fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: v
             "encode_msm": `
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_msm(depth: f32) -> vec4f {
-    let z: f32 = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    let z: f32 = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     let square: f32 = z * z;
     return vec4f(z, square, square * z, square * square);
 }
 `,
-            "turn_moments": `
-// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
-fn umbrage_turn_moments(b: vec4f) -> vec4f {
+            "to_optimized_moments": `
+// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+fn umbrage_to_optimized_moments(b: vec4f) -> vec4f {
     let x: f32 = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     let y: f32 = (b.y - b.w) * 4.0;
     let z: f32 = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
@@ -12718,7 +12738,7 @@ fn umbrage_hausdorff_share(b: vec4f, z: f32) -> f32 {
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
 fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let plain: f32 = umbrage_decode_msm(b, receiver, bias);
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_to_forward_depth(receiver);
     let z: f32 = select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0;
     let share: f32 = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     let lit: f32 = select(plain, 1.0 - share, share >= 0.0);
@@ -12727,7 +12747,7 @@ fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 `,
             "fetch_bilinear": `
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 fn umbrage_fetch_bilinear(UMBRAGE_MAP map, size: vec2f, coord: vec2f) -> vec4f {
     let x: vec2f = floor(coord * 256.0) - 128.0;
     let texel: vec2f = floor(x * (1.0 / 256.0));
@@ -12746,10 +12766,10 @@ fn umbrage_fetch_bilinear(UMBRAGE_MAP map, size: vec2f, coord: vec2f) -> vec4f {
 `,
             "vsm": `
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 fn umbrage_vsm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, min_variance: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_vsm(vec2f(m.x, m.y), receiver, min_variance);
     return select(1.0, lit, compared);
@@ -12757,10 +12777,10 @@ fn umbrage_vsm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, min_va
 `,
             "esm": `
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 fn umbrage_esm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, exponent: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_esm(m.x, receiver, exponent);
     return select(1.0, lit, compared);
@@ -12768,10 +12788,10 @@ fn umbrage_esm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, expone
 `,
             "evsm2": `
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 fn umbrage_evsm2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_evsm2(vec2f(m.x, m.y), receiver, exponent, deviation);
     return select(1.0, lit, compared);
@@ -12779,11 +12799,11 @@ fn umbrage_evsm2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, expo
 `,
             "evsm4": `
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 fn umbrage_evsm4(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, exponents: vec2f,
                  deviations: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return select(1.0, lit, compared);
@@ -12791,32 +12811,32 @@ fn umbrage_evsm4(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, expo
 `,
             "msm": `
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 fn umbrage_msm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_msm(m, receiver, bias);
     return select(1.0, lit, compared);
 }
 `,
-            "msm_turned": `
-// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+            "msm_unorm16": `
+// umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
-fn umbrage_msm_turned(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+fn umbrage_msm_unorm16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
-    let lit: f32 = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    let lit: f32 = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return select(1.0, lit, compared);
 }
 `,
             "msm_hausdorff": `
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 fn umbrage_msm_hausdorff(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return select(1.0, lit, compared);
@@ -12837,7 +12857,7 @@ fn umbrage_chebyshev_hardware(variance: f32, distance: f32, amount: f32) -> f32 
 //   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
 fn umbrage_decode_vsm_hardware(held: vec2f, receiver: f32, min_variance: f32, amount: f32) -> f32 {
     let variance: f32 = max(held.y * held.y * 0.25, min_variance);
-    let distance: f32 = umbrage_forward_depth(receiver) - held.x;
+    let distance: f32 = umbrage_to_forward_depth(receiver) - held.x;
     let lit: f32 = umbrage_chebyshev_hardware(variance, distance, amount);
     return select(0.0, lit, abs(receiver) < 1048576.0);
 }
@@ -12847,7 +12867,7 @@ fn umbrage_decode_vsm_hardware(held: vec2f, receiver: f32, min_variance: f32, am
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
 fn umbrage_decode_evsm2_hardware(m: vec2f, receiver: f32, exponent: f32, deviation: f32, amount: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    let d: f32 = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     let w: f32 = exp2(exponent * (d * 2.0 - 1.0));
     let least: f32 = deviation * w;
     let variance: f32 = max(m.y - m.x * m.x, least * least);
@@ -12860,7 +12880,7 @@ fn umbrage_decode_evsm2_hardware(m: vec2f, receiver: f32, exponent: f32, deviati
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
 fn umbrage_decode_evsm4_hardware(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f, amount: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    let d: f32 = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     let w: f32 = exp2(exponents.x * d);
     let n: f32 = 0.0 - exp2((0.0 - exponents.y) * d);
     let least: vec2f = deviations * vec2f(w, n);
@@ -13018,10 +13038,10 @@ fn umbrage_kernel_bias(normal: vec3f, direction: vec3f, way: vec3f, width: f32, 
     return select(0.0, bias, bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0);
 }
 `,
-            "receiver_plane": `
-// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+            "receiver_plane_slope": `
+// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
 //   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
-fn umbrage_receiver_plane(dx: vec3f, dy: vec3f) -> vec3f {
+fn umbrage_receiver_plane_slope(dx: vec3f, dy: vec3f) -> vec3f {
     let determinant: f32 = dx.x * dy.y + dx.y * -dy.x;
     let sum: f32 = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
     let along_x: f32 = dy.y * dx.z + dx.y * -dy.z;
@@ -13035,10 +13055,10 @@ fn umbrage_receiver_plane(dx: vec3f, dy: vec3f) -> vec3f {
     return select(vec3f(0.0, 0.0, 0.0), vec3f(a, b, umbrage_clamp_slope(error)), known);
 }
 `,
-            "on_receiver_plane": `
-// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+            "apply_receiver_plane": `
+// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
 //   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
-fn umbrage_on_receiver_plane(stored: f32, slope: vec2f, coord: vec2f, texel: vec2f) -> f32 {
+fn umbrage_apply_receiver_plane(stored: f32, slope: vec2f, coord: vec2f, texel: vec2f) -> f32 {
     let way: vec2f = texel + 0.5 - coord;
     let depth: f32 = stored - (slope.x * way.x + slope.y * way.y);
     let cleared: bool = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
@@ -13065,11 +13085,11 @@ fn umbrage_acne_free_disc_bias(slope: vec2f, radius: f32, error: f32) -> f32 {
     return umbrage_clamp_bias(bias);
 }
 `,
-            "detachment": `
-// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+            "peter_panning_distance": `
+// umbrage_peter_panning_distance: a caster nearer to the receiver loses its shadow, or a part of it; depth, 0.0 to 1.0
 //   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
 //   reach  of the filter, texels
-fn umbrage_detachment(bias: f32, caster_slope: vec2f, reach: f32) -> f32 {
+fn umbrage_peter_panning_distance(bias: f32, caster_slope: vec2f, reach: f32) -> f32 {
     return umbrage_acne_free_bias(caster_slope, reach, bias);
 }
 `,
@@ -13091,9 +13111,9 @@ fn umbrage_diffuse_ambient(albedo: vec3f, ambient: f32, n_dot_l: f32, visibility
     return albedo * select(ambient, light, n_dot_l > 0.0);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 `,
-            "false_colour": `
-// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
-fn umbrage_false_colour(v: f32) -> vec3f {
+            "false_color": `
+// umbrage_false_color: blue for 0.0, through green, to red for 1.0
+fn umbrage_false_color(v: f32) -> vec3f {
     let x: f32 = umbrage_saturate(v) * 4.0;
     let ramp: vec3f = 1.5 - abs(vec3f(x - 3.0, x - 2.0, x - 1.0));
     return vec3f(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
@@ -13101,7 +13121,7 @@ fn umbrage_false_colour(v: f32) -> vec3f {
 `,
             "overlay_texel": `
 // umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
 //   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
 fn umbrage_overlay_texel(coord: f32, size: f32, map_size: f32, texels_per_pixel: f32) -> f32 {
     var texel: f32 = floor(coord * texels_per_pixel - 0.5);
@@ -13121,33 +13141,33 @@ fn umbrage_cleared_depth() -> f32 {
     return 0.0;
 }
 `,
-            "hooks/beyond_far, forward": `
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+            "hooks/beyond_far_plane, forward": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 `,
-            "hooks/beyond_far, reversed": `
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+            "hooks/beyond_far_plane, reversed": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver < 0.0;
 }
 `,
-            "hooks/beyond_far, scaled": `
-// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
-fn umbrage_beyond_far(receiver: f32) -> bool {
+            "hooks/beyond_far_plane, scaled": `
+// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return false;
 }
 `,
-            "hooks/before_far, forward": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-fn umbrage_before_far(receiver: f32) -> bool {
+            "hooks/within_far_plane, forward": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+fn umbrage_within_far_plane(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
 `,
-            "hooks/before_far, reversed": `
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-fn umbrage_before_far(receiver: f32) -> bool {
+            "hooks/within_far_plane, reversed": `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+fn umbrage_within_far_plane(receiver: f32) -> bool {
     return receiver >= 0.0;
 }
 `,
@@ -13292,7 +13312,7 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let uv: vec2f = UMBRAGE_UV;
     let lit: f32 = UMBRAGE_LIT_FILTERED;
-    return select(0.0, lit, umbrage_before_far(receiver));
+    return select(0.0, lit, umbrage_within_far_plane(receiver));
 }
 `,
             "hooks/lit_filtered, bordered": `
@@ -13306,7 +13326,7 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
     let lit: f32 = UMBRAGE_LIT_FILTERED;
     let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     let outside: f32 = umbrage_compare(receiver, umbrage_cleared_depth());
-    return select(0.0, outside + inside.x * inside.y * (lit - outside), umbrage_before_far(receiver));
+    return select(0.0, outside + inside.x * inside.y * (lit - outside), umbrage_within_far_plane(receiver));
 }
 `,
             "hooks/lit_at, sampled": `
@@ -13351,7 +13371,7 @@ const rows = [
     ["cube_point", "cube_point", "a point from a face's axes", "a", 0, 0, "100", "none", false, []],
     ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 5, 0, "100", "none", false, ["cube_view_z", "cube_plane"]],
     ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 2, 0, "100", "none", false, ["cube_point"]],
-    ["cube_neighbour", "cube_neighbour", "texel beyond an edge of a cube's face", "a", 0, 0, "100", "none", false, ["cube_plane", "cube_point"]],
+    ["cube_neighbor", "cube_neighbor", "texel beyond an edge of a cube's face", "a", 0, 0, "100", "none", false, ["cube_plane", "cube_point"]],
     ["cube_tile", "cube_tile", "first texel of a face in an atlas", "a", 0, 0, "100", "none", false, []],
     ["cube_atlas_texel", "cube_atlas_texel", "face that a texel of an atlas belongs to, and where on it", "a", 0, 0, "100", "none", false, []],
     ["cube_atlas_direction", "cube_atlas_direction", "direction that reads an atlas' texel from a texture of a cube", "a", 0, 0, "100", "none", false, ["cube_atlas_texel", "cube_point"]],
@@ -13363,7 +13383,7 @@ const rows = [
     ["tetrahedron_coordinate", "tetrahedron_coordinate", "face of a tetrahedron, and where on it, that a direction meets", "c", 6, 0, "100", "none", false, ["tetrahedron_face", "tetrahedron_plane"]],
     ["tetrahedron_texel", "tetrahedron_texel", "a point of a tetrahedron's face in the map", "b", 9, 0, "100", "none", false, []],
     ["tetrahedron_face_of", "tetrahedron_face_of", "face of a tetrahedron that a texel belongs to", "a", 0, 0, "100", "none", false, []],
-    ["pancaked", "pancaked", "casters before the near plane, onto it", "b", 1, 0, "100", "none", false, []],
+    ["pancake", "pancake", "casters before the near plane, onto it", "b", 1, 0, "100", "none", false, []],
     ["texel", "texel", "texel inside a map", "a", 0, 0, "100", "texel", false, []],
     ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, 0, "100", "none", false, []],
     ["page_coordinate", "page_coordinate", "a receiver in the page of an atlas that holds it", "a", 0, 0, "100", "none", false, ["texel", "from_unorm"]],
@@ -13380,8 +13400,8 @@ const rows = [
     ["orthographic_depth_from_view_z", "orthographic_depth_from_view_z", "view-space z to orthographic depth", "c", 5, 0, "100", "none", false, []],
     ["cleared_depth", "cleared_depth", "depth of the far plane", "a", 0, 0, "100", "cleared_depth", false, []],
     ["saturate", "saturate", "clamp to [0, 1], NaN to far", "a", 0, 0, "100", "none", false, ["cleared_depth"]],
-    ["mend_quotient", "mend_quotient", "a quotient of whole numbers, from one at most one off", "a", 0, 0, "100", "none", false, []],
-    ["floor_divide", "floor_divide", "whole numbers divided and rounded down, whatever the division's error", "a", 0, 0, "100", "none", false, ["mend_quotient"]],
+    ["correct_quotient", "correct_quotient", "a quotient of whole numbers, from one at most one off", "a", 0, 0, "100", "none", false, []],
+    ["floor_divide", "floor_divide", "whole numbers divided and rounded down, whatever the division's error", "a", 0, 0, "100", "none", false, ["correct_quotient"]],
     ["to_unorm", "to_unorm", "channel 0..255 to the value an 8-bit target stores as it", "a", 0, 0, "100", "none", false, []],
     ["encode_rg9", "encode_rg9", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
     ["encode_rg10", "encode_rg10", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
@@ -13446,114 +13466,114 @@ const rows = [
     ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, 0, "100", "none", false, ["fetch_clamped", "inside_map"]],
     ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, 0, "100", "fetch_depth", false, ["fetch_clamped", "fetch_bordered", "cleared_depth"]],
     ["depth_at", "depth_at", "stored depth at a point of the map", "c", 4, 0, "100", "depth_at", false, ["fetch_depth"]],
-    ["beyond_far", "beyond_far", "receivers behind the far plane", "a", 0, 0, "100", "beyond_far", false, []],
-    ["is_compared", "is_compared", "receivers that a filter compares; it takes the others as lit", "a", 0, 0, "100", "none", false, ["inside_texel_space", "beyond_far"]],
+    ["beyond_far_plane", "beyond_far_plane", "receivers behind the far plane", "a", 0, 0, "100", "beyond_far_plane", false, []],
+    ["in_filter_domain", "in_filter_domain", "receivers that a filter compares; it takes the others as lit", "a", 0, 0, "100", "none", false, ["inside_texel_space", "beyond_far_plane"]],
     ["compare", "compare", "one comparison", "a", 0, 0, "100", "compare", false, []],
     ["lit", "lit", "one comparison with a texel", "a", 0, 0, "100", "lit", false, ["compare", "fetch_depth"]],
     ["lit_2x2", "lit_2x2", "comparisons with the 2x2 texels from one on", "a", 0, 0, "100", "lit_2x2", false, ["lit"]],
-    ["before_far", "before_far", "receivers up to the far plane, NaN is none", "a", 0, 0, "100", "before_far", false, ["beyond_far"]],
+    ["within_far_plane", "within_far_plane", "receivers up to the far plane, NaN is none", "a", 0, 0, "100", "within_far_plane", false, ["beyond_far_plane"]],
     ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 1, 0, "100", "none", false, []],
     ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 1, 0, "100", "none", false, []],
-    ["window_sum3", "window_sum3", "weighted count of lit texels under a window of 3 x 3", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
-    ["window_sum5", "window_sum5", "weighted count of lit texels under a window of 5 x 5", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
-    ["window_sum7", "window_sum7", "weighted count of lit texels under a window of 7 x 7", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
-    ["disc_turn", "disc_turn", "one of 16 turns for a pixel", "a", 0, 0, "100", "none", false, ["inside_texel_space"]],
+    ["window_sum3", "window_sum3", "weighted count of lit texels under a window of 3 x 3", "a", 0, 0, "100", "none", false, ["in_filter_domain", "lit_2x2"]],
+    ["window_sum5", "window_sum5", "weighted count of lit texels under a window of 5 x 5", "a", 0, 0, "100", "none", false, ["in_filter_domain", "lit_2x2"]],
+    ["window_sum7", "window_sum7", "weighted count of lit texels under a window of 7 x 7", "a", 0, 0, "100", "none", false, ["in_filter_domain", "lit_2x2"]],
+    ["disc_rotation", "disc_rotation", "one of 16 turns for a pixel", "a", 0, 0, "100", "none", false, ["inside_texel_space"]],
     ["disc_tap", "disc_tap", "the texel that a point of a disc falls on", "a", 0, 0, "100", "none", false, []],
     ["disc_radius", "disc_radius", "radius of a disc, down to 1/16 texel", "a", 0, 0, "100", "none", false, []],
-    ["disc8", "disc8", "disc of 8 points, turned by the pixel", "a", 0, 0, "100", "none", false, ["is_compared", "disc_radius", "disc_tap", "lit"]],
-    ["disc16", "disc16", "disc of 16 points, turned by the pixel", "a", 0, 0, "100", "none", false, ["is_compared", "disc_radius", "disc_tap", "lit"]],
-    ["disc32", "disc32", "disc of 32 points, turned by the pixel", "a", 0, 0, "100", "none", false, ["is_compared", "disc_radius", "disc_tap", "lit"]],
-    ["hard", "hard", "nearest texel, one test", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
-    ["four_tap", "four_tap", "mean of four taps with coordinates of their own", "a", 0, 0, "100", "none", false, ["lit", "beyond_far"]],
-    ["pcf_2x2", "pcf_2x2", "bilinear 2x2, weights in steps of 1/256", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
-    ["pcf_2x2_dx_sdk", "pcf_2x2_dx_sdk", "bilinear 2x2 as the DirectX SDK sample, plain floats", "b", 20, 0, "100", "none", false, ["compare_dx_sdk", "is_compared", "fetch_depth"]],
-    ["box_count", "box_count", "lit texels in a box of radius 0..8", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
+    ["disc8", "disc8", "disc of 8 points, turned by the pixel", "a", 0, 0, "100", "none", false, ["in_filter_domain", "disc_radius", "disc_tap", "lit"]],
+    ["disc16", "disc16", "disc of 16 points, turned by the pixel", "a", 0, 0, "100", "none", false, ["in_filter_domain", "disc_radius", "disc_tap", "lit"]],
+    ["disc32", "disc32", "disc of 32 points, turned by the pixel", "a", 0, 0, "100", "none", false, ["in_filter_domain", "disc_radius", "disc_tap", "lit"]],
+    ["hard", "hard", "nearest texel, one test", "a", 0, 0, "100", "none", false, ["in_filter_domain", "lit"]],
+    ["four_tap", "four_tap", "mean of four taps with coordinates of their own", "a", 0, 0, "100", "none", false, ["lit", "beyond_far_plane"]],
+    ["pcf_2x2", "pcf_2x2", "bilinear 2x2, weights in steps of 1/256", "a", 0, 0, "100", "none", false, ["in_filter_domain", "lit_2x2"]],
+    ["pcf_2x2_dx_sdk", "pcf_2x2_dx_sdk", "bilinear 2x2 as the DirectX SDK sample, plain floats", "b", 20, 0, "100", "none", false, ["compare_dx_sdk", "in_filter_domain", "fetch_depth"]],
+    ["box_count", "box_count", "lit texels in a box of radius 0..8", "a", 0, 0, "100", "none", false, ["in_filter_domain", "lit"]],
     ["box_scale", "box_scale", "1 / (2r+1)^2", "a", 0, 0, "100", "none", false, []],
     ["box", "box", "lit share of a box of radius 0..8", "b", 290, 0, "100", "none", false, ["box_count", "box_scale"]],
-    ["tent2", "tent2", "sliding window 1 1", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
+    ["tent2", "tent2", "sliding window 1 1", "a", 0, 0, "100", "none", false, ["in_filter_domain", "lit_2x2"]],
     ["tent3", "tent3", "sliding window 1 2 1", "a", 0, 0, "100", "none", false, ["window_sum3"]],
-    ["quadratic_b_spline", "quadratic_b_spline", "quadratic B-spline of 3 x 3 texels", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
+    ["quadratic_b_spline", "quadratic_b_spline", "quadratic B-spline of 3 x 3 texels", "a", 0, 0, "100", "none", false, ["in_filter_domain", "lit_2x2"]],
     ["binomial5", "binomial5", "sliding window 1 4 6 4 1", "a", 0, 0, "100", "none", false, ["window_sum5"]],
     ["castano_dyadic5", "castano_dyadic5", "sliding window 5 16 22 16 5", "a", 0, 0, "100", "none", false, ["window_sum5"]],
     ["castano5", "castano5", "sliding window 1 3 4 3 1", "b", 80, 0, "100", "none", false, ["window_sum5"]],
     ["binomial7", "binomial7", "sliding window 1 6 15 20 15 6 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
     ["tent7", "tent7", "sliding window 1 2 3 4 3 2 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
     ["castano7", "castano7", "sliding window 1 5 12 16 12 5 1", "b", 138, 0, "100", "none", false, ["window_sum7"]],
-    ["cube_lit", "cube_lit", "one comparison with a texel of a cube", "a", 0, 0, "100", "none", false, ["cube_neighbour", "cube_tile", "lit"]],
-    ["pcf_2x2_cube", "pcf_2x2_cube", "2 x 2 comparisons of a cube, over its edges too, bilinear weights", "c", 33, 0, "100", "none", false, ["is_compared", "cube_lit"]],
-    ["four_tap_hardware", "four_tap_hardware", "mean of four taps that a sampler of the nearest texel takes", "c", 39, 0, "100", "none", false, ["beyond_far", "compare", "depth_at"]],
+    ["cube_lit", "cube_lit", "one comparison with a texel of a cube", "a", 0, 0, "100", "none", false, ["cube_neighbor", "cube_tile", "lit"]],
+    ["pcf_2x2_cube", "pcf_2x2_cube", "2 x 2 comparisons of a cube, over its edges too, bilinear weights", "c", 33, 0, "100", "none", false, ["in_filter_domain", "cube_lit"]],
+    ["four_tap_hardware", "four_tap_hardware", "mean of four taps that a sampler of the nearest texel takes", "c", 39, 0, "100", "none", false, ["beyond_far_plane", "compare", "depth_at"]],
     ["lit_filtered", "lit_filtered", "comparisons around a point, weighted", "c", 0, 1 / 128, "100", "lit_filtered", false, ["pcf_2x2"]],
     ["lit_at", "lit_at", "comparisons around a point of the map, weighted", "c", 0, 1 / 128, "100", "lit_at", false, ["lit_filtered"]],
-    ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
-    ["window_hardware3", "window_hardware3", "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
-    ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
-    ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
-    ["disc_hardware8", "disc_hardware8", "disc of 8 points by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
-    ["disc_hardware16", "disc_hardware16", "disc of 16 points by one", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
-    ["disc_hardware32", "disc_hardware32", "disc of 32 points by one", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
-    ["bounds_lit", "bounds_lit", "visibility where bounds of a filter's texels suffice", "a", 0, 0, "100", "none", false, ["is_compared", "compare", "fetch_clamped"]],
+    ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["in_filter_domain", "within_far_plane", "lit_at"]],
+    ["window_hardware3", "window_hardware3", "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["in_filter_domain", "within_far_plane", "lit_at"]],
+    ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["in_filter_domain", "within_far_plane", "lit_at"]],
+    ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["in_filter_domain", "within_far_plane", "lit_at"]],
+    ["disc_hardware8", "disc_hardware8", "disc of 8 points by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["in_filter_domain", "within_far_plane", "lit_at"]],
+    ["disc_hardware16", "disc_hardware16", "disc of 16 points by one", "c", 0, 1 / 128, "100", "none", false, ["in_filter_domain", "within_far_plane", "lit_at"]],
+    ["disc_hardware32", "disc_hardware32", "disc of 32 points by one", "c", 0, 1 / 128, "100", "none", false, ["in_filter_domain", "within_far_plane", "lit_at"]],
+    ["bounds_lit", "bounds_lit", "visibility where bounds of a filter's texels suffice", "a", 0, 0, "100", "none", false, ["in_filter_domain", "compare", "fetch_clamped"]],
     ["distance_code", "distance_code", "a depth as 16 bits of distance from the near plane", "a", 0, 0, "100", "none", false, ["cleared_depth"]],
     ["penumbra", "penumbra", "radius of a penumbra from the distance between blocker and receiver", "a", 0, 0, "100", "none", false, []],
     ["blocker", "blocker", "whether a texel lies before a receiver, and how far from the light", "a", 0, 0, "100", "none", false, ["fetch_depth", "compare", "distance_code"]],
     ["blockers8", "blockers8", "texels under a disc's points that lie before a receiver", "a", 0, 0, "100", "none", false, ["disc_tap", "blocker"]],
     ["blockers16", "blockers16", "texels under a disc's points that lie before a receiver", "a", 0, 0, "100", "none", false, ["disc_tap", "blocker"]],
     ["blockers32", "blockers32", "texels under a disc's points that lie before a receiver", "a", 0, 0, "100", "none", false, ["disc_tap", "blocker"]],
-    ["pcss8", "pcss8", "percentage-closer soft shadows, 8 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers8", "floor_divide", "disc8"]],
-    ["pcss16", "pcss16", "percentage-closer soft shadows, 16 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers16", "floor_divide", "disc16"]],
-    ["pcss32", "pcss32", "percentage-closer soft shadows, 32 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "disc32"]],
+    ["pcss8", "pcss8", "percentage-closer soft shadows, 8 points twice", "a", 0, 0, "100", "none", false, ["in_filter_domain", "distance_code", "penumbra", "blockers8", "floor_divide", "disc8"]],
+    ["pcss16", "pcss16", "percentage-closer soft shadows, 16 points twice", "a", 0, 0, "100", "none", false, ["in_filter_domain", "distance_code", "penumbra", "blockers16", "floor_divide", "disc16"]],
+    ["pcss32", "pcss32", "percentage-closer soft shadows, 32 points twice", "a", 0, 0, "100", "none", false, ["in_filter_domain", "distance_code", "penumbra", "blockers32", "floor_divide", "disc32"]],
     ["blocker_at", "blocker_at", "whether what a point of the map holds lies before a receiver, and its depth", "c", 4, 0, "100", "none", false, ["depth_at", "compare"]],
     ["pcss_radius", "pcss_radius", "radius of a penumbra from the mean depth of blockers", "c", 0, 1 / 1024, "100", "none", false, ["cleared_depth"]],
-    ["blockers_hardware8", "blockers_hardware8", "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel", "c", 24, 0, "100", "none", false, ["is_compared", "blocker_at"]],
-    ["blockers_hardware16", "blockers_hardware16", "the same at 16 points", "c", 24, 0, "100", "none", false, ["is_compared", "blocker_at"]],
-    ["blockers_hardware32", "blockers_hardware32", "the same at 32 points", "c", 24, 0, "100", "none", false, ["is_compared", "blocker_at"]],
-    ["hardened8", "hardened8", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
-    ["hardened16", "hardened16", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
-    ["hardened32", "hardened32", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
-    ["dpcf8", "dpcf8", "contact hardening by 8 points", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers8", "floor_divide", "hardened8"]],
-    ["dpcf16", "dpcf16", "contact hardening by 16 points", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers16", "floor_divide", "hardened16"]],
-    ["dpcf32", "dpcf32", "contact hardening by 32 points", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "hardened32"]],
+    ["blockers_hardware8", "blockers_hardware8", "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel", "c", 24, 0, "100", "none", false, ["in_filter_domain", "blocker_at"]],
+    ["blockers_hardware16", "blockers_hardware16", "the same at 16 points", "c", 24, 0, "100", "none", false, ["in_filter_domain", "blocker_at"]],
+    ["blockers_hardware32", "blockers_hardware32", "the same at 32 points", "c", 24, 0, "100", "none", false, ["in_filter_domain", "blocker_at"]],
+    ["hardened_kernel8", "hardened_kernel8", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
+    ["hardened_kernel16", "hardened_kernel16", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
+    ["hardened_kernel32", "hardened_kernel32", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
+    ["dpcf8", "dpcf8", "contact hardening by 8 points", "a", 0, 0, "100", "none", false, ["in_filter_domain", "distance_code", "penumbra", "blockers8", "floor_divide", "hardened_kernel8"]],
+    ["dpcf16", "dpcf16", "contact hardening by 16 points", "a", 0, 0, "100", "none", false, ["in_filter_domain", "distance_code", "penumbra", "blockers16", "floor_divide", "hardened_kernel16"]],
+    ["dpcf32", "dpcf32", "contact hardening by 32 points", "a", 0, 0, "100", "none", false, ["in_filter_domain", "distance_code", "penumbra", "blockers32", "floor_divide", "hardened_kernel32"]],
     ["box_moments", "box_moments", "mean and squared distances from it over a box, from a summed-area table", "a", 0, 0, "100", "none", false, ["texel", "floor_divide"]],
-    ["summed_variance", "summed_variance", "variance shadow over a box of any size, from a summed-area table", "c", 0, 1 / 65536, "100", "none", false, ["is_compared", "cleared_depth", "box_moments"]],
+    ["summed_variance", "summed_variance", "variance shadow over a box of any size, from a summed-area table", "c", 0, 1 / 65536, "100", "none", false, ["in_filter_domain", "cleared_depth", "box_moments"]],
     ["box_mean", "box_mean", "mean of four whole numbers over a box, from a summed-area table in two halves", "c", 19, 0, "100", "none", false, ["texel"]],
-    ["turn_moments_back", "turn_moments_back", "four channels of 16 bits to four moments", "b", 5, 0, "100", "none", false, []],
+    ["from_optimized_moments", "from_optimized_moments", "four channels of 16 bits to four moments", "b", 5, 0, "100", "none", false, []],
     ["bias_moments", "bias_moments", "four moments, moved a little towards those of spread depths", "b", 3, 0, "100", "none", false, []],
-    ["forward_depth", "forward_depth", "depth that grows with distance", "b", 1, 0, "100", "none", false, ["cleared_depth"]],
+    ["to_forward_depth", "to_forward_depth", "depth that grows with distance", "b", 1, 0, "100", "none", false, ["cleared_depth"]],
     ["moment_atoms", "moment_atoms", "the two depths that make four moments beside a receiver's", "c", 0, 1 / 64, "100", "none", false, []],
-    ["decode_msm", "decode_msm", "mean of four moments to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "forward_depth", "moment_atoms"]],
-    ["summed_moments", "summed_moments", "moment shadow over a box of any size, from a summed-area table", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "box_mean", "turn_moments_back", "decode_msm"]],
+    ["decode_msm", "decode_msm", "mean of four moments to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "to_forward_depth", "moment_atoms"]],
+    ["summed_moments", "summed_moments", "moment shadow over a box of any size, from a summed-area table", "c", 0, 1 / 64, "100", "none", false, ["in_filter_domain", "box_mean", "from_optimized_moments", "decode_msm"]],
     ["power_of_two", "power_of_two", "2^n of whole numbers -64 to 63", "a", 0, 0, "100", "none", false, []],
     ["exp2_polynomial", "exp2_polynomial", "2^y to 1.8e-7 of it", "b", 16, 0, "100", "none", false, ["power_of_two"]],
     ["exp2_steps", "exp2_steps", "2^y in steps of 12 bits", "a", 0, 0, "100", "none", false, ["power_of_two"]],
     ["chebyshev", "chebyshev", "most that mean and variance let be lit", "c", 11, 0, "100", "none", false, []],
-    ["bleed_cut", "bleed_cut", "visibility without its least values", "c", 5, 0, "100", "none", false, []],
-    ["encode_vsm", "encode_vsm", "depth to a texel of a variance shadow map", "b", 3, 0, "100", "none", false, ["saturate", "forward_depth"]],
-    ["decode_vsm", "decode_vsm", "mean of texels of a variance shadow map to visibility", "c", 13, 0, "100", "none", false, ["chebyshev", "forward_depth"]],
+    ["reduce_light_bleeding", "reduce_light_bleeding", "visibility without its least values", "c", 5, 0, "100", "none", false, []],
+    ["encode_vsm", "encode_vsm", "depth to a texel of a variance shadow map", "b", 3, 0, "100", "none", false, ["saturate", "to_forward_depth"]],
+    ["decode_vsm", "decode_vsm", "mean of texels of a variance shadow map to visibility", "c", 13, 0, "100", "none", false, ["chebyshev", "to_forward_depth"]],
     ["encode_deviation", "encode_deviation", "depth's two moments to mean and deviation", "c", 7, 0, "100", "none", false, []],
     ["decode_deviation", "decode_deviation", "mean and deviation to depth's two moments", "b", 5, 0, "100", "none", false, []],
     ["decode_deviation_rgba8", "decode_deviation_rgba8", "mean and deviation in four channels to depth's two moments", "b", 21, 0, "100", "none", false, ["decode_deviation", "decode_rg16"]],
-    ["warp_depth", "warp_depth", "depth on the scale of exponential shadow maps", "b", 31, 0, "100", "none", false, ["exp2_polynomial"]],
-    ["encode_esm", "encode_esm", "depth to a texel of an exponential shadow map", "b", 36, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
-    ["decode_esm", "decode_esm", "mean of texels of an exponential shadow map to visibility", "b", 37, 0, "100", "none", false, ["forward_depth", "warp_depth"]],
-    ["encode_evsm2", "encode_evsm2", "depth to a texel of two components", "b", 73, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
-    ["encode_evsm4", "encode_evsm4", "depth to a texel of four components", "b", 73, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
-    ["decode_evsm2", "decode_evsm2", "mean of texels of two components to visibility", "c", 229, 0, "100", "none", false, ["chebyshev", "forward_depth", "saturate", "warp_depth"]],
-    ["decode_evsm4", "decode_evsm4", "mean of texels of four components to visibility", "c", 229, 0, "100", "none", false, ["chebyshev", "forward_depth", "saturate", "warp_depth"]],
-    ["encode_msm", "encode_msm", "depth to its first four powers on [-1, 1]", "b", 15, 0, "100", "none", false, ["saturate", "forward_depth"]],
-    ["turn_moments", "turn_moments", "four moments to four channels of 16 bits", "b", 4, 0, "100", "none", false, []],
+    ["exponential_warp", "exponential_warp", "depth on the scale of exponential shadow maps", "b", 31, 0, "100", "none", false, ["exp2_polynomial"]],
+    ["encode_esm", "encode_esm", "depth to a texel of an exponential shadow map", "b", 36, 0, "100", "none", false, ["saturate", "to_forward_depth", "exponential_warp"]],
+    ["decode_esm", "decode_esm", "mean of texels of an exponential shadow map to visibility", "b", 37, 0, "100", "none", false, ["to_forward_depth", "exponential_warp"]],
+    ["encode_evsm2", "encode_evsm2", "depth to a texel of two components", "b", 73, 0, "100", "none", false, ["saturate", "to_forward_depth", "exponential_warp"]],
+    ["encode_evsm4", "encode_evsm4", "depth to a texel of four components", "b", 73, 0, "100", "none", false, ["saturate", "to_forward_depth", "exponential_warp"]],
+    ["decode_evsm2", "decode_evsm2", "mean of texels of two components to visibility", "c", 229, 0, "100", "none", false, ["chebyshev", "to_forward_depth", "saturate", "exponential_warp"]],
+    ["decode_evsm4", "decode_evsm4", "mean of texels of four components to visibility", "c", 229, 0, "100", "none", false, ["chebyshev", "to_forward_depth", "saturate", "exponential_warp"]],
+    ["encode_msm", "encode_msm", "depth to its first four powers on [-1, 1]", "b", 15, 0, "100", "none", false, ["saturate", "to_forward_depth"]],
+    ["to_optimized_moments", "to_optimized_moments", "four moments to four channels of 16 bits", "b", 4, 0, "100", "none", false, []],
     ["hausdorff_share", "hausdorff_share", "least share of depths before a receiver, of depths on [-1, 1]", "c", 0, 1 / 1048576, "100", "none", false, []],
-    ["decode_msm_hausdorff", "decode_msm_hausdorff", "mean of four moments of depths on [-1, 1] to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "decode_msm", "forward_depth", "hausdorff_share"]],
+    ["decode_msm_hausdorff", "decode_msm_hausdorff", "mean of four moments of depths on [-1, 1] to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "decode_msm", "to_forward_depth", "hausdorff_share"]],
     ["fetch_bilinear", "fetch_bilinear", "mean of the four texels around a point", "b", 12, 0, "100", "none", false, ["fetch_clamped"]],
-    ["vsm", "vsm", "visibility from a map of encode_vsm's texels", "c", 109, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_vsm"]],
-    ["esm", "esm", "visibility from a map of encode_esm's texels", "b", 49, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_esm"]],
-    ["evsm2", "evsm2", "visibility from a map of encode_evsm2's texels", "c", 139, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_evsm2"]],
-    ["evsm4", "evsm4", "visibility from a map of encode_evsm4's texels", "c", 139, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_evsm4"]],
-    ["msm", "msm", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm"]],
-    ["msm_turned", "msm_turned", "visibility from a map of turned moments", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm", "turn_moments_back"]],
-    ["msm_hausdorff", "msm_hausdorff", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm_hausdorff"]],
+    ["vsm", "vsm", "visibility from a map of encode_vsm's texels", "c", 109, 0, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_vsm"]],
+    ["esm", "esm", "visibility from a map of encode_esm's texels", "b", 49, 0, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_esm"]],
+    ["evsm2", "evsm2", "visibility from a map of encode_evsm2's texels", "c", 139, 0, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_evsm2"]],
+    ["evsm4", "evsm4", "visibility from a map of encode_evsm4's texels", "c", 139, 0, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_evsm4"]],
+    ["msm", "msm", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_msm"]],
+    ["msm_unorm16", "msm_unorm16", "visibility from a map of turned moments", "c", 0, 1 / 64, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_msm", "from_optimized_moments"]],
+    ["msm_hausdorff", "msm_hausdorff", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_msm_hausdorff"]],
     ["chebyshev_hardware", "chebyshev_hardware", "most that a variance lets be lit, less the light that bleeds", "c", 0, 1 / 524288, "100", "none", false, []],
-    ["decode_vsm_hardware", "decode_vsm_hardware", "mean and deviation to visibility, the cheapest way", "c", 0, 1 / 1024, "100", "none", false, ["chebyshev_hardware", "forward_depth"]],
-    ["decode_evsm2_hardware", "decode_evsm2_hardware", "mean of texels of two components to visibility, by the GPU's own exp2", "c", 0, 1 / 64, "100", "none", false, ["chebyshev_hardware", "forward_depth"]],
-    ["decode_evsm4_hardware", "decode_evsm4_hardware", "mean of texels of four components to visibility, by the GPU's own exp2", "c", 0, 1 / 64, "100", "none", false, ["chebyshev_hardware", "forward_depth"]],
+    ["decode_vsm_hardware", "decode_vsm_hardware", "mean and deviation to visibility, the cheapest way", "c", 0, 1 / 1024, "100", "none", false, ["chebyshev_hardware", "to_forward_depth"]],
+    ["decode_evsm2_hardware", "decode_evsm2_hardware", "mean of texels of two components to visibility, by the GPU's own exp2", "c", 0, 1 / 64, "100", "none", false, ["chebyshev_hardware", "to_forward_depth"]],
+    ["decode_evsm4_hardware", "decode_evsm4_hardware", "mean of texels of four components to visibility, by the GPU's own exp2", "c", 0, 1 / 64, "100", "none", false, ["chebyshev_hardware", "to_forward_depth"]],
     ["blur_row3", "blur_row3", "mean of texels in a row", "b", 7, 0, "100", "none", false, ["fetch_clamped"]],
     ["blur_row5", "blur_row5", "mean of texels in a row", "b", 12, 0, "100", "none", false, ["fetch_clamped"]],
     ["blur_row7", "blur_row7", "mean of texels in a row", "b", 17, 0, "100", "none", false, ["fetch_clamped"]],
@@ -13567,22 +13587,22 @@ const rows = [
     ["slope_bias", "slope_bias", "bias by the greater slope, as rasterizers have it", "b", 2, 0, "100", "none", false, ["clamp_bias"]],
     ["normal_offset", "normal_offset", "way off a surface to the point that is looked up in its place", "c", 91, 0, "100", "none", false, []],
     ["kernel_bias", "kernel_bias", "bias by the kernel's width and the angle at which light falls", "c", 30, 0, "100", "none", false, []],
-    ["receiver_plane", "receiver_plane", "slope of a receiver's plane from derivatives, and how far it may be off", "c", 31, 0, "100", "none", false, ["clamp_slope"]],
-    ["on_receiver_plane", "on_receiver_plane", "stored depth moved along the receiver's plane to the receiver", "b", 8, 0, "100", "none", false, ["cleared_depth"]],
+    ["receiver_plane_slope", "receiver_plane_slope", "slope of a receiver's plane from derivatives, and how far it may be off", "c", 31, 0, "100", "none", false, ["clamp_slope"]],
+    ["apply_receiver_plane", "apply_receiver_plane", "stored depth moved along the receiver's plane to the receiver", "b", 8, 0, "100", "none", false, ["cleared_depth"]],
     ["acne_free_bias", "acne_free_bias", "smallest bias without acne, for a slope, a reach and an encoding's error", "b", 4, 0, "100", "none", false, ["clamp_bias"]],
     ["acne_free_disc_bias", "acne_free_disc_bias", "smallest bias without acne, for filters that read a disc", "c", 13, 0, "100", "none", false, ["clamp_bias"]],
-    ["detachment", "detachment", "depth before a receiver within which its bias loses a caster's shadow", "b", 4, 0, "100", "none", false, ["acne_free_bias"]],
+    ["peter_panning_distance", "peter_panning_distance", "depth before a receiver within which its bias loses a caster's shadow", "b", 4, 0, "100", "none", false, ["acne_free_bias"]],
     ["spot_cone", "spot_cone", "1 inside a spot light's cone", "b", 11, 0, "100", "none", false, []],
     ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 5, 0, "100", "none", false, []],
-    ["false_colour", "false_colour", "0..1 to blue, green, red", "b", 3, 0, "100", "none", false, ["saturate"]],
+    ["false_color", "false_color", "0..1 to blue, green, red", "b", 3, 0, "100", "none", false, ["saturate"]],
     ["overlay_texel", "overlay_texel", "which texel of a map stretched over the picture's corner a pixel shows, along one side", "a", 0, 0, "100", "none", false, []],
     ["hooks/cleared_depth, forward", "cleared_depth", "cleared_depth, forward", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/cleared_depth, reversed", "cleared_depth", "cleared_depth, reversed", "a", 0, 0, "100", "chosen", false, []],
-    ["hooks/beyond_far, forward", "beyond_far", "beyond_far, forward", "a", 0, 0, "100", "chosen", false, []],
-    ["hooks/beyond_far, reversed", "beyond_far", "beyond_far, reversed", "a", 0, 0, "100", "chosen", false, []],
-    ["hooks/beyond_far, scaled", "beyond_far", "beyond_far, scaled", "a", 0, 0, "100", "chosen", false, []],
-    ["hooks/before_far, forward", "before_far", "before_far, forward", "a", 0, 0, "100", "chosen", false, []],
-    ["hooks/before_far, reversed", "before_far", "before_far, reversed", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/beyond_far_plane, forward", "beyond_far_plane", "beyond_far_plane, forward", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/beyond_far_plane, reversed", "beyond_far_plane", "beyond_far_plane, reversed", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/beyond_far_plane, scaled", "beyond_far_plane", "beyond_far_plane, scaled", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/within_far_plane, forward", "within_far_plane", "within_far_plane, forward", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/within_far_plane, reversed", "within_far_plane", "within_far_plane, reversed", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/compare, forward", "compare", "compare, forward", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/compare, reversed", "compare", "compare, reversed", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/texel", "texel", "texel", "a", 0, 0, "100", "chosen", false, []],
@@ -13598,8 +13618,8 @@ const rows = [
     ["hooks/lit_2x2, gathered", "lit_2x2", "lit_2x2, gathered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered in a region", "lit_2x2", "lit_2x2, gathered in a region", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "cleared_depth"]],
-    ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "c", 0, 1 / 128, "100", "chosen", false, ["before_far"]],
-    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "c", 0, 1 / 128, "100", "chosen", false, ["before_far", "compare", "cleared_depth"]],
+    ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "c", 0, 1 / 128, "100", "chosen", false, ["within_far_plane"]],
+    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "c", 0, 1 / 128, "100", "chosen", false, ["within_far_plane", "compare", "cleared_depth"]],
     ["hooks/lit_at, sampled", "lit_at", "lit_at, sampled", "c", 0, 1 / 128, "100", "chosen", false, []],
     ["hooks/depth_at, sampled", "depth_at", "depth_at, sampled", "c", 4, 0, "100", "chosen", false, ["hooks/decode"]],
 ];
@@ -13688,4 +13708,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far, is_compared, compare, lit, lit_2x2, before_far, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, detachment, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;

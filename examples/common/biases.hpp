@@ -27,7 +27,7 @@
 namespace example {
 
 /// Texels that a bias has to cover, under a filter of that reach over a rasterizer's map.
-[[nodiscard]] constexpr float covered(float reach) { return reach + umbrage::snapping_reach<float>; }
+[[nodiscard]] constexpr float covered(float reach) { return reach + umbrage::rasterizer_snap<float>; }
 
 /// A light, its map and the filter over it, as biases see them.
 struct bias_light {
@@ -145,12 +145,12 @@ struct receiver_plane {
     static constexpr std::string_view name = "receiver_plane",
                                       about =
                                           "Each texel is compared with the receiver's own plane at the texel's "
-                                          "centre, so that no reach needs a bias; half a texel's for what bends.",
+                                          "center, so that no reach needs a bias; half a texel's for what bends.",
                                       statement =
                                           "plane = umbrage_plane_slope(plane_matrix, face, world); "
                                           "by = umbrage_acne_free_bias(plane, min(reach, 0.5), 0.0);";
     static std::vector<glsl::snippet> snippets() {
-        return {glsl::plane_slope, glsl::acne_free_bias, glsl::on_receiver_plane, glsl::biased};
+        return {glsl::plane_slope, glsl::acne_free_bias, glsl::apply_receiver_plane, glsl::biased};
     }
     static constexpr bool moves_stored_depths = true;
     [[nodiscard]] receiver_bias operator()(const bias_light& l, const bias_point& p) const {

@@ -23,7 +23,7 @@ bool hardens(std::string_view filter) {
 }
 
 look_up contact_hardening(std::string_view name, umbrage::image_view<const float> map,
-                          const umbrage::light_softness& softness, progress& progress) {
+                          const umbrage::penumbra_params& softness, progress& progress) {
     look_up out;
     umbrage::filters::soft::with(name, [&](auto filter) {
         filter.softness = softness;

@@ -10,7 +10,7 @@ namespace example {
 std::vector<rectangle> letters(std::string text) {
     struct corner {
         float x, y, z;
-        unsigned char colour[4];
+        unsigned char color[4];
     };
     std::vector<corner> quads(64 * text.size() + 4);  // a letter has up to 16 of them
     const int count =

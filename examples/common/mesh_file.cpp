@@ -20,17 +20,17 @@ namespace {
 
 glm::vec3 to_glm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-/// Colour of a material that says nothing.
+/// Color of a material that says nothing.
 constexpr glm::vec3 clay{0.72f, 0.52f, 0.38f};
 
-glm::vec3 colour_of(const aiMaterial& material) {
-    aiColor3D colour;
+glm::vec3 color_of(const aiMaterial& material) {
+    aiColor3D color;
     aiString name;
     material.Get(AI_MATKEY_NAME, name);
     const bool given = std::string_view(name.C_Str()) != AI_DEFAULT_MATERIAL_NAME &&
                        material.GetTextureCount(aiTextureType_DIFFUSE) == 0 &&
-                       material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS && !colour.IsBlack();
-    return given ? glm::vec3(colour.r, colour.g, colour.b) : clay;
+                       material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS && !color.IsBlack();
+    return given ? glm::vec3(color.r, color.g, color.b) : clay;
 }
 
 }  // namespace
@@ -57,12 +57,12 @@ mesh load_mesh(const std::filesystem::path& path) {
     for (const aiMesh* part : std::span(file->mMeshes, file->mNumMeshes)) {
         if (!part->HasNormals()) continue;  // points and lines only
         const auto base = static_cast<unsigned>(out.positions.size());
-        const glm::vec3 colour = colour_of(*file->mMaterials[part->mMaterialIndex]);
+        const glm::vec3 color = color_of(*file->mMaterials[part->mMaterialIndex]);
         for (unsigned i = 0; i < part->mNumVertices; ++i) {
             out.positions.push_back(to_glm(part->mVertices[i]));
             out.normals.push_back(to_glm(part->mNormals[i]));
             const aiColor4D* painted = part->HasVertexColors(0) ? &part->mColors[0][i] : nullptr;
-            out.colours.push_back(painted ? glm::vec3(painted->r, painted->g, painted->b) : colour);
+            out.colors.push_back(painted ? glm::vec3(painted->r, painted->g, painted->b) : color);
         }
         const auto inside = [&](unsigned index) { return index < part->mNumVertices; };
         for (const aiFace& face : std::span(part->mFaces, part->mNumFaces))

@@ -97,16 +97,16 @@ void add_ground(std::vector<copies>& parts) {
                 const glm::vec3 p = tile.positions[k];
                 const float steep = glm::smoothstep(0.90f, 0.75f, tile.normals[k].y);
                 const float dry = noise(glm::vec2(p.x, p.z) / 23.0f, 50) * 0.35f + 0.8f;
-                tile.colours[k] = glm::mix(grass * glm::vec3(dry, 1, 1), stone, steep);
+                tile.colors[k] = glm::mix(grass * glm::vec3(dry, 1, 1), stone, steep);
             }
             parts.push_back({std::move(tile), {glm::mat4(1)}});
         }
 }
 
 /// A cone on its foot, or with `top` a part of one.
-void add_cone(mesh& out, glm::vec3 foot, float radius, float tall, glm::vec3 colour, unsigned sides, float top = 0) {
+void add_cone(mesh& out, glm::vec3 foot, float radius, float tall, glm::vec3 color, unsigned sides, float top = 0) {
     const glm::mat4 place = glm::translate(glm::mat4(1), foot);
-    add_surface(out, {sides, 1}, place, colour, [&](float u, float v) {
+    add_surface(out, {sides, 1}, place, color, [&](float u, float v) {
         const float a = u * tau, r = glm::mix(radius, top, v);
         const glm::vec3 around(std::sin(a), 0, std::cos(a));
         return vertex{r * around + glm::vec3(0, v * tall, 0),
@@ -115,8 +115,8 @@ void add_cone(mesh& out, glm::vec3 foot, float radius, float tall, glm::vec3 col
 }
 
 /// A ball with dents.
-void add_lump(mesh& out, glm::vec3 centre, glm::vec3 radius, glm::vec3 colour, float dents, std::uint32_t which) {
-    add_surface(out, {9, 5}, glm::translate(glm::mat4(1), centre), colour, [&](float u, float v) {
+void add_lump(mesh& out, glm::vec3 center, glm::vec3 radius, glm::vec3 color, float dents, std::uint32_t which) {
+    add_surface(out, {9, 5}, glm::translate(glm::mat4(1), center), color, [&](float u, float v) {
         const float a = u * tau, b = v * tau / 2;
         const glm::vec3 n(std::sin(b) * std::sin(a), -std::cos(b), std::sin(b) * std::cos(a));
         const float out_by = 1 - dents * noise(glm::vec2(n) * 2.0f + n.z * 3.1f, which);

@@ -45,7 +45,7 @@ void write(const std::filesystem::path& path, umbrage::image_view<const T> pixel
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, umbrage::image_view<const std::uint8_t> grey) { write(path, grey); }
+void write_png(const std::filesystem::path& path, umbrage::image_view<const std::uint8_t> gray) { write(path, gray); }
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec3> rgb) { write(path, rgb); }
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec4> rgba) { write(path, rgba); }
 

@@ -19,7 +19,7 @@
 namespace example {
 
 /// @throws std::runtime_error  the file cannot be written
-void write_png(const std::filesystem::path& path, umbrage::image_view<const std::uint8_t> grey);
+void write_png(const std::filesystem::path& path, umbrage::image_view<const std::uint8_t> gray);
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec3> rgb);
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec4> rgba);
 

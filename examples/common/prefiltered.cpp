@@ -29,10 +29,10 @@ template <class Prefilter>
 constexpr int bytes_of(const Prefilter&) {
     return sizeof(typename Prefilter::texel);
 }
-constexpr int bytes_of(const prefilters::msm_turned&) { return 8; }
+constexpr int bytes_of(const prefilters::msm_unorm16&) { return 8; }
 template <class Prefilter>
 void store(const Prefilter&, umbrage::image<typename Prefilter::texel>&) {}
-void store(const prefilters::msm_turned&, umbrage::image<glm::vec4>& texels) {
+void store(const prefilters::msm_unorm16&, umbrage::image<glm::vec4>& texels) {
     for (glm::vec4& t : texels.texels()) t = glm::floor(glm::clamp(t, 0.0f, 1.0f) * 65535.0f + 0.5f) / 65535.0f;
 }
 
@@ -90,8 +90,8 @@ bool filters_ahead(std::string_view filter) {
     return std::ranges::find(prefilter_names(), filter) != prefilter_names().end();
 }
 
-std::optional<float> soft_reach(std::string_view name, float widest) {
-    if (hardens(name)) return umbrage::filters::pcss{.softness{.widest = 16 * widest}}.reach();
+std::optional<float> soft_reach(std::string_view name, float max_radius) {
+    if (hardens(name)) return umbrage::filters::pcss{.softness{.max_radius = 16 * max_radius}}.reach();
     if (filters_ahead(name)) return is_table(name) ? 0.5f : 0.0f;
     return std::nullopt;
 }

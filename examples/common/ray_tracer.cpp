@@ -40,12 +40,12 @@ void ray_tracer::add(std::size_t first, std::size_t last) {
     boxes_.push_back(all);
     if (all.count == 0) {
         const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
-        const auto centre = [&](glm::uvec3 t) { return p[t.x][axis] + p[t.y][axis] + p[t.z][axis]; };
+        const auto center = [&](glm::uvec3 t) { return p[t.x][axis] + p[t.y][axis] + p[t.z][axis]; };
         const auto begin = triangles_.begin();
         const auto offset = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
         const std::size_t middle = (first + last) / 2;
         std::nth_element(begin + offset(first), begin + offset(middle), begin + offset(last),
-                         [&](glm::uvec3 a, glm::uvec3 b) { return centre(a) < centre(b); });
+                         [&](glm::uvec3 a, glm::uvec3 b) { return center(a) < center(b); });
         add(first, middle);
         add(middle, last);
     }

@@ -20,16 +20,16 @@ namespace {
 constexpr float floor_half = 4.0f;   ///< the floor reaches from -4 to 4
 constexpr float fitted_size = 2.4f;  ///< greatest edge of a mesh that was scaled to fit
 
-void add_sphere(mesh& out, glm::vec3 centre, float radius, glm::vec3 colour) {
-    add_surface(out, {96, 48}, glm::translate(glm::mat4(1), centre), colour, [&](float u, float v) {
+void add_sphere(mesh& out, glm::vec3 center, float radius, glm::vec3 color) {
+    add_surface(out, {96, 48}, glm::translate(glm::mat4(1), center), color, [&](float u, float v) {
         const float a = u * tau, b = v * tau / 2;
         const glm::vec3 n(std::sin(b) * std::sin(a), -std::cos(b), std::sin(b) * std::cos(a));
         return vertex{radius * n, n};
     });
 }
 
-void add_torus(mesh& out, const glm::mat4& place, float ring, float tube, glm::vec3 colour) {
-    add_surface(out, {128, 48}, place, colour, [&](float u, float v) {
+void add_torus(mesh& out, const glm::mat4& place, float ring, float tube, glm::vec3 color) {
+    add_surface(out, {128, 48}, place, color, [&](float u, float v) {
         const float a = u * tau, b = v * tau;
         const glm::vec3 outwards(std::cos(a), std::sin(a), 0);
         const glm::vec3 n = std::cos(b) * outwards + glm::vec3(0, 0, std::sin(b));
@@ -61,7 +61,7 @@ void append(mesh& to, const mesh& of, const glm::mat4& place) {
     for (glm::vec3 p : of.positions) to.positions.emplace_back(place * glm::vec4(p, 1));
     const glm::mat3 turn = glm::mat3(place) / glm::length(glm::vec3(place[0]));
     for (glm::vec3 n : of.normals) to.normals.push_back(turn * n);
-    to.colours.insert(to.colours.end(), of.colours.begin(), of.colours.end());
+    to.colors.insert(to.colors.end(), of.colors.begin(), of.colors.end());
     for (glm::uvec3 t : of.triangles) to.triangles.push_back(t + base);
 }
 

@@ -22,7 +22,7 @@ namespace example {
 struct mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  ///< of length one
-    std::vector<glm::vec3> colours;  ///< linear, 0..1
+    std::vector<glm::vec3> colors;   ///< linear, 0..1
     std::vector<glm::uvec3> triangles;
 };
 
@@ -61,7 +61,7 @@ enum class up_axis { y, z };  ///< of a mesh that somebody else made
 /// A tiled floor, and on it a ball on a pillar that throws its shadow on a box, and a torus.
 [[nodiscard]] scene default_scene();
 
-/// The mesh stood upright on a floor, centred, and scaled to fit into the view whatever its units were.
+/// The mesh stood upright on a floor, centered, and scaled to fit into the view whatever its units were.
 /// @param object   at least one triangle, each with an area, as load_mesh gives it
 [[nodiscard]] scene on_floor(mesh object, up_axis up);
 

@@ -87,7 +87,7 @@ umbrage::warp_fit<double> warp_fit(const lit_view& v, const frustum& range) {
 
 /// A perspective shadow map of the spot, around what is seen in its cone.
 placed_maps perspective_spot(const lit_view& v) {
-    const umbrage::lamp<double> lamp{.position = v.light.position};
+    const umbrage::light_position<double> lamp{.position = v.light.position};
     const double edge = std::tan(v.light.outer_angle_radians);
     const frustum cone{.position = lamp.position,
                        .direction = v.light.direction,
@@ -284,7 +284,7 @@ umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, um
         extents);
 }
 
-umbrage::image<glm::u8vec3> false_colours(const lit_view& v, const umbrage::image<float>& extents, int step) {
+umbrage::image<glm::u8vec3> false_colors(const lit_view& v, const umbrage::image<float>& extents, int step) {
     umbrage::image<glm::u8vec3> out(extents.size(), glm::u8vec3(0));
     for (glm::ivec2 p{0}; p.y < out.size().y; ++p.y)
         for (p.x = 0; p.x < out.size().x; ++p.x) {
@@ -292,7 +292,7 @@ umbrage::image<glm::u8vec3> false_colours(const lit_view& v, const umbrage::imag
             const surface at = surface_at(v.scene, v.camera, v.seen, p * step);
             const float shade = 0.6f + 0.4f * glm::dot(at.face_normal, glm::normalize(v.camera.position - at.position));
             const float level = 0.5f + std::log2(extents[p]) / 6;
-            out[p] = umbrage::store_unorm8(shade * (extents[p] > 0 ? umbrage::false_colour(level) : glm::vec3(0.2f)));
+            out[p] = umbrage::store_unorm8(shade * (extents[p] > 0 ? umbrage::false_color(level) : glm::vec3(0.2f)));
         }
     return out;
 }

@@ -64,10 +64,10 @@ struct set_up {
 [[nodiscard]] umbrage::quality_report measure(const set_up& s, const lit_view& v, int step,
                                               umbrage::image_view<float> extents = {});
 
-/// The picture of it: from an eighth of a pixel, dark blue, to eight, dark red; grey where nothing was measured; darker
+/// The picture of it: from an eighth of a pixel, dark blue, to eight, dark red; gray where nothing was measured; darker
 /// on surfaces that turn away.
 /// @param extents   as measure gives them
-[[nodiscard]] umbrage::image<glm::u8vec3> false_colours(const lit_view& v, const umbrage::image<float>& extents,
-                                                        int step);
+[[nodiscard]] umbrage::image<glm::u8vec3> false_colors(const lit_view& v, const umbrage::image<float>& extents,
+                                                       int step);
 
 }  // namespace example

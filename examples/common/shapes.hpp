@@ -2,7 +2,7 @@
 //
 // What scenes are put together from.
 //
-//     example::add_surface(mesh, {96, 48}, place, colour, [](float u, float v) { return example::vertex{...}; });
+//     example::add_surface(mesh, {96, 48}, place, color, [](float u, float v) { return example::vertex{...}; });
 //
 #pragma once
 
@@ -29,14 +29,14 @@ struct vertex {
 
 /// The surface (u, v) -> vertex over the unit square, in columns x rows cells.
 template <class Surface>
-void add_surface(mesh& out, glm::uvec2 cells, const glm::mat4& place, glm::vec3 colour, Surface surface) {
+void add_surface(mesh& out, glm::uvec2 cells, const glm::mat4& place, glm::vec3 color, Surface surface) {
     const auto base = static_cast<unsigned>(out.positions.size());
     for (unsigned j = 0; j <= cells.y; ++j)
         for (unsigned i = 0; i <= cells.x; ++i) {
             const vertex p = surface(float(i) / float(cells.x), float(j) / float(cells.y));
             out.positions.push_back(place * glm::vec4(p.position, 1));
             out.normals.push_back(glm::normalize(glm::mat3(place) * p.normal));  // `place` only moves and rotates
-            out.colours.push_back(colour);
+            out.colors.push_back(color);
         }
     for (unsigned j = 0; j < cells.y; ++j)
         for (unsigned i = 0; i < cells.x; ++i) {
@@ -47,21 +47,21 @@ void add_surface(mesh& out, glm::uvec2 cells, const glm::mat4& place, glm::vec3 
 }
 
 /// An upright cylinder and its lid.
-inline void add_pillar(mesh& out, glm::vec3 foot, float radius, float height, glm::vec3 colour) {
+inline void add_pillar(mesh& out, glm::vec3 foot, float radius, float height, glm::vec3 color) {
     const glm::mat4 place = glm::translate(glm::mat4(1), foot);
     const auto around = [](float u) { return glm::vec3(std::sin(u * tau), 0, std::cos(u * tau)); };
-    add_surface(out, {96, 1}, place, colour, [&](float u, float v) {
+    add_surface(out, {96, 1}, place, color, [&](float u, float v) {
         return vertex{radius * around(u) + glm::vec3(0, v * height, 0), around(u)};
     });
-    add_surface(out, {96, 1}, place, colour, [&](float u, float v) {
+    add_surface(out, {96, 1}, place, color, [&](float u, float v) {
         return vertex{(1 - v) * radius * around(u) + glm::vec3(0, height, 0), {0, 1, 0}};
     });
 }
 
-inline void add_box(mesh& out, const glm::mat4& place, glm::vec3 half, glm::vec3 colour) {
+inline void add_box(mesh& out, const glm::mat4& place, glm::vec3 half, glm::vec3 color) {
     for (int axis = 0; axis < 3; ++axis)
         for (float side : {-1.0f, 1.0f})
-            add_surface(out, {1, 1}, place, colour, [&](float u, float v) {
+            add_surface(out, {1, 1}, place, color, [&](float u, float v) {
                 glm::vec3 n(0), p(0);
                 n[axis] = side;
                 p[axis] = side * half[axis];

@@ -42,14 +42,14 @@ inline constexpr int variance_bits = 12;
 
 /// Texels that a bias has to cover: the widest penumbra's; of a prefiltered map what lies between a receiver and the
 /// middle of its window, which has the window's mean depth where that is a plane.
-/// @param widest   texels
+/// @param max_radius  texels
 /// @return         nothing where no soft shadows are called so
-[[nodiscard]] std::optional<float> soft_reach(std::string_view name, float widest);
+[[nodiscard]] std::optional<float> soft_reach(std::string_view name, float max_radius);
 
 /// @param map      z/w; outlives what is returned, as does progress
 /// @throws std::invalid_argument  none of hardening_names()
 [[nodiscard]] look_up contact_hardening(std::string_view name, umbrage::image_view<const float> map,
-                                        const umbrage::light_softness& softness, progress& progress);
+                                        const umbrage::penumbra_params& softness, progress& progress);
 
 /// @param map      depths that grow evenly
 /// @param radius   of a Gaussian with half of it as deviation, or of a summed-area table's box, texels

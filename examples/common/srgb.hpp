@@ -30,7 +30,7 @@ class srgb_table {
 public:
     srgb_table() {
         for (std::size_t byte = 1; byte < 256; ++byte) {
-            float below = 0, least = 1;  // srgb_curve(below) < byte <= srgb_curve(least), neighbours in the end
+            float below = 0, least = 1;  // srgb_curve(below) < byte <= srgb_curve(least), neighbors in the end
             while (std::nextafter(below, 1.0f) < least) {
                 const float middle = 0.5f * (below + least);
                 (srgb_curve(middle) < byte ? below : least) = middle;

@@ -29,7 +29,7 @@ namespace example {
                                                                    umbrage::clip_space clip = umbrage::cpu_clip_space) {
     return umbrage::make_page_root<double>({.direction = direction,
                                             .up = up,
-                                            .centre = (low + high) / 2.0,
+                                            .center = (low + high) / 2.0,
                                             .side = 1.01 * glm::distance(low, high),
                                             .scene = {low, high},
                                             .clip = clip});

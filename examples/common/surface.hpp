@@ -4,7 +4,7 @@
 //
 //     if (seen[texel] != example::nothing) example::surface s = example::surface_at(scene, camera, seen, texel);
 //
-// Neighbours in a row mostly see the same triangle; what they share is then computed once:
+// Neighbors in a row mostly see the same triangle; what they share is then computed once:
 //
 //     example::for_each_run(seen, y, [&](int first, int last, std::uint32_t triangle) {
 //         const example::seen_triangle on(scene, camera, seen.size(), triangle);
@@ -36,11 +36,11 @@ struct surface {
     glm::vec3 position;
     glm::vec3 face_normal;  ///< of the flat triangle, which is what the shadow map holds
     glm::vec3 normal;       ///< interpolated, for shading
-    glm::vec3 colour;
+    glm::vec3 color;
 };
 
-/// Colour of the floor's tiles at a point of it, without a branch or a call.
-[[nodiscard]] inline glm::vec3 floor_colour(glm::vec3 position) {
+/// Color of the floor's tiles at a point of it, without a branch or a call.
+[[nodiscard]] inline glm::vec3 floor_color(glm::vec3 position) {
     const float x = position.x * 2.0f, z = position.z * 2.0f;
     const auto floor = [](float v) {
         return static_cast<int>(v) - (v < static_cast<float>(static_cast<int>(v)) ? 1 : 0);
@@ -73,7 +73,7 @@ public:
             const unsigned vertex = s.geometry.triangles[triangle][static_cast<int>(i)];
             positions_[i] = s.geometry.positions[vertex];
             normals_[i] = s.geometry.normals[vertex];
-            colours_[i] = s.geometry.colours[vertex];
+            colors_[i] = s.geometry.colors[vertex];
         }
         face_normal_ = unit(glm::cross(positions_[1] - positions_[0], positions_[2] - positions_[0]), {0, 1, 0});
     }
@@ -84,8 +84,8 @@ public:
     [[nodiscard]] glm::vec3 normal(glm::vec3 weights, glm::vec3 face_normal) const {
         return towards(unit(blend(normals_, weights), face_normal), face_normal);
     }
-    [[nodiscard]] glm::vec3 colour(glm::vec3 weights, glm::vec3 position) const {
-        return floor_ ? floor_colour(position) : blend(colours_, weights);
+    [[nodiscard]] glm::vec3 color(glm::vec3 weights, glm::vec3 position) const {
+        return floor_ ? floor_color(position) : blend(colors_, weights);
     }
 
     /// Where on the triangle the texels from here on look, in or beyond its last.
@@ -94,17 +94,17 @@ public:
         for (int i = 0; i < lanes; ++i) positions.set(i, position(weights[i]));
     }
 
-    /// Their colours.
-    void paint(const vectors& weights, const vectors& positions, vectors& colours) const {
+    /// Their colors.
+    void paint(const vectors& weights, const vectors& positions, vectors& colors) const {
         if (floor_)
-            for (int i = 0; i < lanes; ++i) colours.set(i, floor_colour(positions[i]));
+            for (int i = 0; i < lanes; ++i) colors.set(i, floor_color(positions[i]));
         else
-            for (int i = 0; i < lanes; ++i) colours.set(i, blend(colours_, weights[i]));
+            for (int i = 0; i < lanes; ++i) colors.set(i, blend(colors_, weights[i]));
     }
 
     [[nodiscard]] surface at(glm::ivec2 texel) const {
         const glm::vec3 w = weights(texel), p = position(w), face = face_normal(p);
-        return {p, face, normal(w, face), colour(w, p)};
+        return {p, face, normal(w, face), color(w, p)};
     }
 
 private:
@@ -118,7 +118,7 @@ private:
     }
 
     umbrage::triangle_weights weights_;
-    vertices positions_, normals_, colours_;
+    vertices positions_, normals_, colors_;
     glm::vec3 face_normal_, camera_;
     bool floor_;
 };

@@ -77,7 +77,7 @@ struct shadow_system {
     std::string_view filter = "hard";  ///< one of umbrage::filters; pcf_2x2_dx_sdk adds epsilon on the map's side
     test_kind test = test_kind::less_equal;
     std::optional<float> radius{};            ///< of a box or a disc, texels; without one as it is by itself
-    float light_size = 0.4f, widest = 8;      ///< diameter, and texels: what contact hardening makes penumbrae of
+    float light_size = 0.4f, max_radius = 8;  ///< diameter, and texels: what contact hardening makes penumbras of
     float epsilon = 0x1p-18f;                 ///< constant bias in the map's depth
     std::string_view bias = "normal_offset";  ///< one of example::biases; the originals had none
     float reach = covered(umbrage::filters::hard{}.reach());  ///< texels that it covers
@@ -201,7 +201,7 @@ struct light {
                                              umbrage::offset_width(s.reach, l.texel_world(position, map_size)), 0.0f);
 }
 
-/// Procedural texture of `textured` systems, a chequered solid that things are cut from: a factor for the colour.
+/// Procedural texture of `textured` systems, a chequered solid that things are cut from: a factor for the color.
 [[nodiscard]] inline float texture(glm::vec3 position) {
     const glm::vec3 cell = glm::floor(position * 4.0f + 0.37f);
     return std::fmod(std::abs(cell.x + cell.y + cell.z), 2.0f) == 0 ? 1.0f : 0.6f;
@@ -209,14 +209,14 @@ struct light {
 
 /// What the camera sees of a surface.
 /// @param normal, to_light  of length one
-[[nodiscard]] inline glm::vec3 shade(const shadow_system& s, glm::vec3 colour, glm::vec3 normal, glm::vec3 to_light,
+[[nodiscard]] inline glm::vec3 shade(const shadow_system& s, glm::vec3 color, glm::vec3 normal, glm::vec3 to_light,
                                      float visibility) {
     const float n_dot_l = glm::dot(normal, to_light);
     if (s.shading == shading_kind::diffuse_ambient)
-        return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, visibility);
+        return umbrage::diffuse_ambient(color, s.ambient, n_dot_l, visibility);
     const float facing =
         glm::clamp(4 * n_dot_l, 0.0f, 1.0f);  // ps.1.x: mul_x4_sat; hides the map's teeth where light grazes
-    return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, 1.0f) *
+    return umbrage::diffuse_ambient(color, s.ambient, n_dot_l, 1.0f) *
            (s.ambient + (1 - s.ambient) * facing * visibility);
 }
 

@@ -47,7 +47,7 @@ struct scene_of_biases {
             const receiver_bias moved = by(s);
             const glm::vec3 p =
                 umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, s.position + moved.offset));
-            return umbrage::hard(umbrage::on_receiver_plane(fetch, moved.slope, glm::vec2(p)), glm::vec2(p),
+            return umbrage::hard(umbrage::apply_receiver_plane(fetch, moved.slope, glm::vec2(p)), glm::vec2(p),
                                  umbrage::biased(p.z, moved.depth + 0x1p-20f));
         });
     }
@@ -67,7 +67,7 @@ void add_bias(page& page, const scene_of_biases& on, std::string_view id, std::s
     }
     page.entry(id, title, about,
                {{page.picture(shaded), "Red: acne. Blue: shadow that is lost"},
-                {page.picture(grey(visibility)), "Visibility, white is lit"}},
+                {page.picture(gray(visibility)), "Visibility, white is lit"}},
                {{"dark where rays find light", text("%d of %d pixels", acne, lit)},
                 {"lit where rays find none", text("%d of %d pixels", leaks, shadow)}},
                together_and_alone(std::move(snippets)));
@@ -104,7 +104,7 @@ void add_biases(page& page, const settings& o, const std::filesystem::path& fold
         "biases", "Biases",
         text("The exercise's scene, of which its map has %d × %d texels, with one comparison. Too little bias "
              "and surfaces shadow themselves; too much, and shadows come off what casts them. Where rays to the "
-             "light are of another opinion, edges aside, is coloured.",
+             "light are of another opinion, edges aside, is colored.",
              system.map_size, system.map_size));
     add_bias(page, on, "epsilon", "The exercise's epsilon",
              "0.0005 of the far plane's distance, whatever the slope: too little for all but what faces the light.",

@@ -73,7 +73,7 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
     const double count = double(receivers.texels().size());
     page.entry(id, title, about,
                {{page.picture(stage.shade(system, light, visibility)), "Shaded"},
-                {page.picture(grey(visibility)), "Visibility"}},
+                {page.picture(gray(visibility)), "Visibility"}},
                {{"fetches", std::to_string(most_taps)},
                 {"levels in this picture", std::to_string(different)},
                 {text("%.0f receivers, best of 5", count), text("%.3f ms", ms)},

@@ -52,11 +52,11 @@ void add_view(page& page, const settings& o, const view& v) {
     for (const example::set_up& s : example::set_ups()) {
         umbrage::image<float> extents((screen - 1) / step + 1);
         const umbrage::quality_report r = example::measure(s, lit, step, extents.view());
-        umbrage::image<glm::u8vec3> colours = example::false_colours(lit, extents, step);
+        umbrage::image<glm::u8vec3> colors = example::false_colors(lit, extents, step);
         const example::placed_maps maps = s.place(lit);
-        example::overlay_maps(colours, lit, maps);
+        example::overlay_maps(colors, lit, maps);
         const std::string name = maps.chosen.empty() ? s.name : s.name + ": " + maps.chosen;
-        figures.push_back({page.picture(colours), name});
+        figures.push_back({page.picture(colors), name});
         numbers.push_back({name, text("mean %.3g, p95 %.3g, greatest %.3g, storage %.3g", r.mean, r.p95, r.greatest,
                                       r.storage_factor)});
     }
@@ -75,7 +75,7 @@ void add_view(page& page, const settings& o, const view& v) {
 void add_lights(page& page, const settings& o) {
     page.section("lights", "Lights",
                  "How many pixels a texel's longer axis covers, by every way of placing a light's maps, over surfaces "
-                 "that face it. Dark blue: an eighth of a pixel or less; green: one; dark red: eight or more; grey: "
+                 "that face it. Dark blue: an eighth of a pixel or less; green: one; dark red: eight or more; gray: "
                  "outside the map, or turned away. Storage is what maps would need, in screens, for one pixel a texel "
                  "everywhere. Measured: between the nearest and the farthest thing seen. In the corner: the maps.");
     add_view(page, o,

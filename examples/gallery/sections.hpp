@@ -55,9 +55,9 @@ template <class... Values>
 [[nodiscard]] inline example::picture packed(const stored_depth& map, const umbrage::image<float>& depth, int edge) {
     using namespace example;
     std::vector<picture> channels;
-    const auto add = [&](const umbrage::image<float>& from, auto&& colour) {
+    const auto add = [&](const umbrage::image<float>& from, auto&& color) {
         umbrage::overlay(channels.emplace_back(glm::ivec2(edge)), from,
-                         {.size = glm::ivec2(edge), .map_origin = picture_clip.origin}, colour);
+                         {.size = glm::ivec2(edge), .map_origin = picture_clip.origin}, color);
     };
     for (const auto& channel : map.channels) {
         umbrage::image<float> values(channel.size());

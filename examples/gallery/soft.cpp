@@ -26,7 +26,7 @@ namespace {
 using namespace example;
 namespace glsl = umbrage::glsl;
 
-constexpr float light_radius = 0.3f, widest = 12;  // world units, texels
+constexpr float light_radius = 0.3f, max_radius = 12;  // world units, texels
 constexpr int blur = 3;
 
 /// A ball on a pillar, whose shadow begins where it stands.
@@ -36,8 +36,9 @@ struct scene_of_soft {
     example::light light = make_light(system, stage.scene, system.azimuth, system.elevation, system.map_size);
     umbrage::image<float> map = depth_pass(system, stage.scene, light, system.map_size);
 
-    [[nodiscard]] umbrage::light_softness softness() const {
-        return umbrage::make_softness(umbrage::make_light_units(light.space, map.size()), light_radius, 1.0f, widest);
+    [[nodiscard]] umbrage::penumbra_params softness() const {
+        return umbrage::make_penumbra_params(umbrage::make_light_units(light.space, map.size()), light_radius, 1.0f,
+                                             max_radius);
     }
 };
 
@@ -76,7 +77,7 @@ void add_soft(page& page, const scene_of_soft& on, std::string_view name, const 
     const double ms = best_of_5([&] { filter({x, y, depth}, visibility.view()); });
     page.entry(name, name, about,
                {{page.picture(on.stage.shade(on.system, on.light, visibility)), "Shaded"},
-                {page.picture(grey(visibility)), "Visibility"}},
+                {page.picture(gray(visibility)), "Visibility"}},
                {{"a texel", std::to_string(bytes) + " bytes"},
                 {text("map of %s", square(on.system.map_size).c_str()), milliseconds(map_ms)},
                 {text("%d receivers, best of 5", size.x * size.y), milliseconds(ms)}},
@@ -92,14 +93,15 @@ void add_soft_shadows(page& page, const settings& o, const std::filesystem::path
              "pillar stands, soft where the ball's shadow falls. Maps that are filtered ahead have one "
              "softness, a blur of %d texels: their shadows cost a single look-up.",
              2 * double(light_radius), 2 * blur + 1));
-    const scene_of_soft projected = make_scene_of(depth_kind::projected, *soft_reach("pcss16", widest), o, folder);
+    const scene_of_soft projected = make_scene_of(depth_kind::projected, *soft_reach("pcss16", max_radius), o, folder);
     umbrage::filters::soft::for_each([&](const auto& filter) {
         add_soft(page, projected, filter.name, sentence(filter.snippet->summary), sizeof(float),
-                 {glsl::disc_turn, *filter.snippet}, [&](auto map, progress& quiet) {
+                 {glsl::disc_rotation, *filter.snippet}, [&](auto map, progress& quiet) {
                      return contact_hardening(filter.name, map, projected.softness(), quiet);
                  });
     });
-    const scene_of_soft linear = make_scene_of(depth_kind::linear, *soft_reach("summed_variance", widest), o, folder);
+    const scene_of_soft linear =
+        make_scene_of(depth_kind::linear, *soft_reach("summed_variance", max_radius), o, folder);
     const auto add_prefiltered = [&](std::string_view name, const std::string& about,
                                      const std::vector<glsl::snippet>& snippets) {
         add_soft(page, linear, name, about, prefilter_bytes(name), snippets,

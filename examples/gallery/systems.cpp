@@ -19,11 +19,11 @@ using namespace example;
 namespace glsl = umbrage::glsl;
 
 /// A map as people see it: nearest texels, near blue, far red.
-picture coloured(const umbrage::image<float>& depth, int edge) {
+picture colored(const umbrage::image<float>& depth, int edge) {
     picture out{glm::ivec2(edge)};
     const auto stretch = umbrage::stretch(depth);
     umbrage::overlay(out, depth, {.size = out.size(), .map_origin = picture_clip.origin},
-                     [&](float d) { return umbrage::false_colour(stretch(d)); });
+                     [&](float d) { return umbrage::false_color(stretch(d)); });
     return out;
 }
 
@@ -94,7 +94,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
 
     const int edge = shaded.size().y;
     std::vector<figure> figures{{page.picture(shaded), "On the CPU, the map in the corner"},
-                                {page.picture(grey(visibility)), "Visibility, white is lit"}};
+                                {page.picture(gray(visibility)), "Visibility, white is lit"}};
     std::vector<number> numbers{{"shadow map", square(system.map_size)},
                                 {"bits of depth", map.channels.empty() ? "32, float"
                                                   : ps14               ? "11 in two channels"
@@ -128,12 +128,12 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
             for (std::size_t i = 0; i < v.texels().size(); ++i) n += v.texels()[i] != exact.texels()[i];
             return text("%.3f %% of the pixels", 100.0 * double(n) / double(v.texels().size()));
         };
-        figures.push_back({page.picture(grey(coarse)), "Visibility with 8 bits, without the trick"});
-        figures.push_back({page.picture(grey(exact)), "Visibility with exact depth"});
+        figures.push_back({page.picture(gray(coarse)), "Visibility with 8 bits, without the trick"});
+        figures.push_back({page.picture(gray(exact)), "Visibility with exact depth"});
         numbers.push_back({"11 bits differ from exact depth in", others(visibility)});
         numbers.push_back({"8 bits differ in", others(coarse)});
     }
-    figures.push_back({page.picture(coloured(depth, edge)), "The map, blue near, red far"});
+    figures.push_back({page.picture(colored(depth, edge)), "The map, blue near, red far"});
     if (!map.channels.empty())
         figures.push_back({page.picture(packed(map, depth, edge / 2)), "The map as stored: R, G"});
     const description& d = descriptions.at(system.name);

@@ -103,7 +103,7 @@ void run(const options& o) {
     for (const way& w : ways) {
         pictures.push_back(stage.shade(system, light, w.visibility));
         show_map(pictures.back(), depth);
-        masks.push_back(grey(w.visibility));
+        masks.push_back(gray(w.visibility));
         std::size_t other = 0;
         for (std::size_t i = 0; i < w.visibility.texels().size(); ++i)
             other += w.visibility.texels()[i] != ways.back().visibility.texels()[i];

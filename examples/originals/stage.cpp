@@ -67,8 +67,8 @@ stage::stage(const shadow_system& s, const options& o)
 picture stage::shade(const shadow_system& s, const light& l, const umbrage::image<float>& visibility) const {
     picture out(seen.size(), to_srgb(sky));
     for_each_surface([&](glm::ivec2 pixel, const surface& at) {
-        const glm::vec3 colour = at.colour * (s.textured ? texture(at.position) : 1.0f);
-        out[pixel] = to_srgb(example::shade(s, colour, at.normal, l.to_light(at.position), visibility[pixel]));
+        const glm::vec3 color = at.color * (s.textured ? texture(at.position) : 1.0f);
+        out[pixel] = to_srgb(example::shade(s, color, at.normal, l.to_light(at.position), visibility[pixel]));
     });
     return out;
 }
@@ -105,7 +105,7 @@ picture side_by_side(std::span<const picture> pictures) {
     return out;
 }
 
-picture grey(const umbrage::image<float>& values) {
+picture gray(const umbrage::image<float>& values) {
     picture out(values.size());
     std::ranges::transform(values.texels(), out.texels().begin(),
                            [](float v) { return glm::u8vec3(umbrage::store_unorm8(v)); });
@@ -116,9 +116,9 @@ void write(const options& o, const char* name, const picture& p) { write_png(o.o
 
 void write(const options& o, const picture& p, const umbrage::image<float>& visibility, umbrage::image<float> depth) {
     write(o, "picture.png", p);
-    write(o, "visibility.png", grey(visibility));
+    write(o, "visibility.png", gray(visibility));
     std::ranges::transform(depth.texels(), depth.texels().begin(), umbrage::stretch(depth));
-    write(o, "depth.png", grey(depth));
+    write(o, "depth.png", gray(depth));
 }
 
 }  // namespace example

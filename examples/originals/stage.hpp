@@ -79,7 +79,7 @@ struct stage {
         return out;
     }
 
-    /// The surfaces' colours under the light.
+    /// The surfaces' colors under the light.
     [[nodiscard]] picture shade(const shadow_system& s, const light& l, const umbrage::image<float>& visibility) const;
 };
 
@@ -101,7 +101,7 @@ void show_map(picture& on, const umbrage::image<float>& depth);
 /// Pictures of one size in a row.
 [[nodiscard]] picture side_by_side(std::span<const picture> pictures);
 
-[[nodiscard]] picture grey(const umbrage::image<float>& values);
+[[nodiscard]] picture gray(const umbrage::image<float>& values);
 
 void write(const options& o, const char* name, const picture& p);
 

@@ -114,7 +114,7 @@ place place_of(const umbrage::cascade_uniforms<float>& u, float distance) {
                                   umbrage::cascade_column(u.offsets, number).w)};
 }
 
-/// The picture in the cascades' colours, white beyond.
+/// The picture in the cascades' colors, white beyond.
 umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> shaded, const umbrage::cascade_uniforms<float>& u,
                                    const umbrage::image<float>& distances, const view& v, int samples) {
     constexpr std::array<glm::vec3, cascade_count + 1> tints{
@@ -177,8 +177,8 @@ void render_cascades(const options& o, const example::scene& scene) {
     });
     auto shaded = progress.stage("shade", [&] { return shade(view, visibility, o.samples, progress.bands()); });
     progress.stage("write", [&] {
-        const auto coloured = tinted(shaded, uniforms, distance, view, o.samples);
-        example::write_png(o.output / "cascades.png", coloured.view());
+        const auto colored = tinted(shaded, uniforms, distance, view, o.samples);
+        example::write_png(o.output / "cascades.png", colored.view());
         write(o, map, visibility, std::move(shaded));
     });
     if (o.quiet) return;

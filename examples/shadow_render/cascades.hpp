@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // --light cascades: a directional light with a map for each of four parts of what the camera sees, all in one atlas.
-// Besides the pictures of one map cascades.png, in which each cascade has a colour.
+// Besides the pictures of one map cascades.png, in which each cascade has a color.
 #pragma once
 
 #include <scene.hpp>

@@ -32,18 +32,18 @@ TEST_CASE("shadow_render: the built-in scene, from the camera that is the defaul
     const example::finished r = run(output("default") + small);
     REQUIRE_MESSAGE(r.code == 0, r.said);
     CHECK(r.said.empty());
-    const auto colours = picture("default", "picture.png"), mask = picture("default", "visibility.png");
-    CHECK(colours.size() == glm::ivec2(240, 160));
+    const auto colors = picture("default", "picture.png"), mask = picture("default", "visibility.png");
+    CHECK(colors.size() == glm::ivec2(240, 160));
     CHECK(mask.size() == glm::ivec2(240, 160));
     CHECK(picture("default", "depth.png").size() == glm::ivec2(256));
     CHECK(picture("default", "map.png").size() == glm::ivec2(256));
     CHECK(dark(mask) > 0.03);
     CHECK(dark(mask) < 0.3);
-    CHECK(mask[{5, 5}].r == 255);                 // the sky
-    CHECK(mask[{120, 155}].r == 255);             // the floor in front
-    CHECK(mask[{120, 65}].r == 0);                // the ball's shadow on the box
-    CHECK(mask[{40, 115}].r == 0);                // the torus' shadow on the floor
-    CHECK(colours[{0, 0}] != colours[{239, 0}]);  // the overlay over the sky
+    CHECK(mask[{5, 5}].r == 255);               // the sky
+    CHECK(mask[{120, 155}].r == 255);           // the floor in front
+    CHECK(mask[{120, 65}].r == 0);              // the ball's shadow on the box
+    CHECK(mask[{40, 115}].r == 0);              // the torus' shadow on the floor
+    CHECK(colors[{0, 0}] != colors[{239, 0}]);  // the overlay over the sky
 }
 
 TEST_CASE("shadow_render: without --quiet each stage's time is printed, and no bar when nobody watches") {
@@ -82,7 +82,7 @@ TEST_CASE("shadow_render: every encoding and every filter shades alike") {
         CHECK(differ < share * 240 * 160);
     };
     for (const std::string& name : example::encoding_names()) agrees("--encoding " + name, name == "rg9" ? 0.02 : 0.01);
-    for (const char* edge : {"lower", "centre"}) agrees(std::string("--encoding rg11 --edge ") + edge, 0.01);
+    for (const char* edge : {"lower", "center"}) agrees(std::string("--encoding rg11 --edge ") + edge, 0.01);
     for (const char* filter : {"hard", "four_tap", "pcf_2x2_dx_sdk", "box --radius 1", "hierarchical_box --radius 1"})
         agrees(std::string("--filter ") + filter, 0.03);
 }
@@ -170,7 +170,7 @@ TEST_CASE("shadow_render: impossible options") {
     fails("--samples 0", 2, "--samples");
     fails("--width 8192 --height 8192 --samples 4", 2, "too large");
     fails("--radius 9", 2, "--radius");
-    fails("--widest 16", 2, "--widest");
+    fails("--max-radius 16", 2, "--max-radius");
     fails("--light-size -1", 2, "--light-size");
     fails("--encoding none", 2, "--encoding");
     fails("--filter none", 2, "--filter");

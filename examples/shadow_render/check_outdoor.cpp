@@ -19,9 +19,9 @@ TEST_CASE("shadow_render: a kilometre under cascades, whose shadows are those of
     const example::finished r = run("--output " + quoted(folder / "outdoor") + options);
     REQUIRE_MESSAGE(r.code == 0, r.said);
     CHECK(r.said.find("cascade       from") != std::string::npos);
-    const auto mask = picture("outdoor", "visibility.png"), colours = picture("outdoor", "picture.png"),
+    const auto mask = picture("outdoor", "visibility.png"), colors = picture("outdoor", "picture.png"),
                cascades = picture("outdoor", "cascades.png");
-    CHECK(cascades.size() == colours.size());
+    CHECK(cascades.size() == colors.size());
 
     const example::scene scene = example::outdoor_scene();
     const example::camera camera = example::make_camera({.target = scene.target,

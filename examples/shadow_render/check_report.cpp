@@ -34,13 +34,13 @@ TEST_CASE("shadow_render: the report has a row and a picture for every set-up") 
         CHECK(storage > 0);
         CHECK(std::isfinite(greatest + storage));
         CHECK(pixels > 800);
-        int coloured = 0;
+        int colored = 0;
         for (glm::ivec2 p{0}; p.y < 32; ++p.y)
             for (p.x = 0; p.x < width; ++p.x) {
                 const glm::u8vec4 c = sheet[glm::ivec2(cell % 4 * width, top + cell / 4 * height) + p];
-                coloured += c.r != c.g || c.g != c.b;
+                colored += c.r != c.g || c.g != c.b;
             }
-        CHECK(coloured == pixels);
+        CHECK(colored == pixels);
     }
     fails("--light-report --compare", 2, "--compare");
     fails("--light-report --map-size 15", 2, "--map-size");

@@ -74,7 +74,7 @@ double leak(const by_rays& expected, const umbrage::image<float>& visibility) {
     return count > 0 ? 100 * sum / count : 0;
 }
 
-/// Centre of the part that has the most half-shadow.
+/// Center of the part that has the most half-shadow.
 glm::ivec2 softest(const by_rays& expected, int samples) {
     const glm::ivec2 size = expected.visibility.size() / samples, part = sheet::part(size);
     float most = -1;
@@ -118,7 +118,8 @@ void compare(const options& o, const view& v, const example::shadow_map& map, ex
             "Visibility against rays to a disc of light %g across, %g away: RMS error, and leak, its mean where no ray "
             "arrives",
             double(o.light_size), double(o.distance)),
-        text("Boxes, discs and blurs of radius %g, penumbrae of up to %g texels", double(o.radius), double(o.widest)),
+        text("Boxes, discs and blurs of radius %g, penumbras of up to %g texels", double(o.radius),
+             double(o.max_radius)),
         text("ms: to filter the map, and %d x %d pixels of %d x %d samples, one thread of %s", o.width, o.height,
              o.samples, o.samples, example::processor().c_str())};
     sheet page({o.width, o.height}, static_cast<int>(names.size()) + 1, title, softest(expected, o.samples));

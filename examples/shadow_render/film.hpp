@@ -42,7 +42,7 @@ template <umbrage::real T>
 [[nodiscard]] glm::vec<3, T> biased(const glm::mat<4, 4, T>& to_texels, glm::vec3 to_light,
                                     const example::surface& at) {
     const glm::vec<3, T> world(at.position), normal(at.face_normal), direction(-to_light);
-    const T reach = T(umbrage::filters::pcf_2x2{}.reach()) + umbrage::snapping_reach<T>;
+    const T reach = T(umbrage::filters::pcf_2x2{}.reach()) + umbrage::rasterizer_snap<T>;
     const auto here = umbrage::light_units_at(to_texels, direction, world);
     const T width = umbrage::offset_width(reach, here.units.x);
     const T bias = umbrage::kernel_bias(normal, direction, direction, width, T(20)) + reach * here.drift_world;
@@ -83,7 +83,7 @@ constexpr glm::vec3 mark(0.9f, 0.1f, 0.1f);  ///< red
         const bool other = then && std::abs(then(at).visibility - in.visibility) >= 1.0 / 256;
         out[p] =
             other ? umbrage::store_unorm8(mark)
-                  : example::to_srgb(umbrage::diffuse_ambient(at.colour, ambient, glm::dot(at.normal, to_light),
+                  : example::to_srgb(umbrage::diffuse_ambient(at.color, ambient, glm::dot(at.normal, to_light),
                                                               in.map < 0 ? 1.0f : static_cast<float>(in.visibility)));
     });
     return out;

@@ -35,14 +35,14 @@ struct on_planes {
     const umbrage::image<glm::vec2>& slope;
 
     float operator()(const any_fetch& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        return filter(umbrage::on_receiver_plane(std::cref(fetch), slope[pixel], coord), coord, receiver, pixel);
+        return filter(umbrage::apply_receiver_plane(std::cref(fetch), slope[pixel], coord), coord, receiver, pixel);
     }
 };
 
-umbrage::light_softness softness_of(const options& o, const light& lamp) {
+umbrage::penumbra_params softness_of(const options& o, const light& lamp) {
     const float radius = 0.5f * o.light_size;
-    return umbrage::make_softness(lamp.units, lamp.spot() ? radius : radius / o.distance, std::min(1.0f, o.widest),
-                                  o.widest);
+    return umbrage::make_penumbra_params(lamp.units, lamp.spot() ? radius : radius / o.distance,
+                                         std::min(1.0f, o.max_radius), o.max_radius);
 }
 
 /// Calls use(filter) with the one over depths that the options choose.
@@ -68,7 +68,7 @@ const std::vector<std::string>& filter_names() {
 }
 
 float reach_of(const options& o) {
-    const float reach = example::soft_reach(o.filter, o.widest).value_or(example::reach_of(o.filter, o.radius));
+    const float reach = example::soft_reach(o.filter, o.max_radius).value_or(example::reach_of(o.filter, o.radius));
     return o.reach.value_or(example::covered(reach));
 }
 

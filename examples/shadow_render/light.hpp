@@ -83,10 +83,10 @@ struct light {
 
     // Planes as close as the scene allows.
     const glm::vec3 middle = 0.5f * (scene.low + scene.high), half = 0.5f * (scene.high - scene.low);
-    const float centre = glm::dot(middle - out.position, out.direction);
+    const float center = glm::dot(middle - out.position, out.direction);
     const float reach = glm::dot(half, glm::abs(out.direction));
-    out.z_far = 1.01f * (centre + reach);
-    out.z_near = std::max(0.99f * (centre - reach), 0.01f * out.z_far);
+    out.z_far = 1.01f * (center + reach);
+    out.z_near = std::max(0.99f * (center - reach), 0.01f * out.z_far);
     const float outer_angle = glm::radians(o.cone / 2);
     out.cos_outer = std::cos(outer_angle);
     out.space = umbrage::make_spot_light<float>({.position = out.position,

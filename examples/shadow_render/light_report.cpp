@@ -41,7 +41,7 @@ void light_report(const options& o, const example::scene& scene) {
              title_of(o).c_str(), o.width, o.height, o.map_size, o.map_size, o.map_size / 2, o.map_size / 2),
         text("Surfaces that face the light and lie in a map; the camera sees something from %.3g to %.3g",
              view.depths.z_near, view.depths.z_far),
-        "Dark blue: 1/8 of a pixel or less; green: 1; dark red: 8 or more; grey: not measured. In the corner: the "
+        "Dark blue: 1/8 of a pixel or less; green: 1; dark red: 8 or more; gray: not measured. In the corner: the "
         "maps"};
     const glm::ivec2 size = (view.seen.size() - 1) / step + 1;
     sheet page(size, static_cast<int>(set_ups.size()), title);
@@ -53,10 +53,10 @@ void light_report(const options& o, const example::scene& scene) {
             umbrage::image<float> extents(size);
             const umbrage::quality_report r = example::measure(s, view, step, extents.view());
             const example::placed_maps maps = s.place(view);
-            picture colours = example::false_colours(view, extents, step);
-            example::overlay_maps(colours, view, maps);
-            page.add(colours, {s.name, text("mean %.3g, p95 %.3g", r.mean, r.p95),
-                               text("greatest %.3g, storage %.3g", r.greatest, r.storage_factor)});
+            picture colors = example::false_colors(view, extents, step);
+            example::overlay_maps(colors, view, maps);
+            page.add(colors, {s.name, text("mean %.3g, p95 %.3g", r.mean, r.p95),
+                              text("greatest %.3g, storage %.3g", r.greatest, r.storage_factor)});
             if (!o.quiet)
                 std::printf("%-32s %9.3f %9.3f %9.2f %11.3g %8zu%s\n", s.name.c_str(), r.mean, r.p95, r.greatest,
                             r.storage_factor, r.measured, chosen_of(maps).c_str());

@@ -21,7 +21,7 @@ const choices<light_kind> lights{
 const choices<built_in> scenes{
     {"indoor", built_in::indoor}, {"outdoor", built_in::outdoor}, {"plain", built_in::plain}};
 const choices<float> edges{
-    {"lower", umbrage::lower_edge<float>}, {"centre", umbrage::centre<float>}, {"upper", umbrage::upper_edge<float>}};
+    {"lower", umbrage::lower_edge<float>}, {"center", umbrage::center<float>}, {"upper", umbrage::upper_edge<float>}};
 const choices<example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
 
 template <class Kind>
@@ -83,7 +83,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     example::add_filter(app, o.filter, filter_names());
     app.add_option("--radius", o.radius, "of a disc, or, whole, a box or a filtered map's blur, texels")
         ->check(within(0, 8));
-    app.add_option("--widest", o.widest, "radius of the widest penumbra of pcss and dpcf, texels")
+    app.add_option("--max-radius", o.max_radius, "radius of the widest penumbra of pcss and dpcf, texels")
         ->check(within(0, 15));
 
     group("Bias");

@@ -32,8 +32,8 @@ struct options {
     float edge = umbrage::upper_edge<float>;  ///< of a code's interval, that decoding answers
 
     std::string filter = "pcf_2x2";
-    float radius = 2;  ///< of a box, a disc or a map's blur
-    float widest = 8;  ///< penumbra's radius that contact hardening makes, texels
+    float radius = 2;      ///< of a box, a disc or a map's blur
+    float max_radius = 8;  ///< penumbra's radius that contact hardening makes, texels
     std::string bias = "normal_offset";
     std::optional<float> reach{};  ///< texels that the bias covers; without one what the filter needs
 

@@ -20,9 +20,9 @@ namespace shadow_render {
 void write(const options& o, const example::shadow_map& map, const umbrage::image<float>& visibility,
            umbrage::image<glm::u8vec3> lit) {
     const umbrage::contrast_stretch stretch = umbrage::stretch(map.depth, map.cleared);
-    umbrage::image<glm::u8vec3> colours(map.depth.size());
-    std::ranges::transform(map.depth.texels(), colours.texels().begin(),
-                           [&](float d) { return umbrage::store_unorm8(umbrage::false_colour(stretch(d))); });
+    umbrage::image<glm::u8vec3> colors(map.depth.size());
+    std::ranges::transform(map.depth.texels(), colors.texels().begin(),
+                           [&](float d) { return umbrage::store_unorm8(umbrage::false_color(stretch(d))); });
     umbrage::image<std::uint8_t> mask(lit.size());
     for (int y = 0; y < mask.size().y; ++y)
         for (int x = 0; x < mask.size().x; ++x)
@@ -34,7 +34,7 @@ void write(const options& o, const example::shadow_map& map, const umbrage::imag
         umbrage::overlay(lit, map.depth, {.size{corner, corner}, .map_origin = example::picture_clip.origin}, stretch);
 
     std::visit([&](const auto& bytes) { example::write_png(o.output / "map.png", bytes.view()); }, map.bytes);
-    example::write_png(o.output / "depth.png", std::as_const(colours).view());
+    example::write_png(o.output / "depth.png", std::as_const(colors).view());
     example::write_png(o.output / "visibility.png", std::as_const(mask).view());
     example::write_png(o.output / "picture.png", std::as_const(lit).view());
 }

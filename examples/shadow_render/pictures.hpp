@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What comes out: map.png, the texels' bytes; depth.png, them decoded, in colours; visibility.png; picture.png.
+// What comes out: map.png, the texels' bytes; depth.png, them decoded, in colors; visibility.png; picture.png.
 #pragma once
 
 #include <glm/gtc/type_precision.hpp>

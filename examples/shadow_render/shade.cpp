@@ -19,17 +19,17 @@ void shade_row(const view& v, const umbrage::image<float>& visibility, int y, gl
         const float* const visible = visibility.view().row(y);
         for (int x = first; x < last; x += lanes) {
             const int count = std::min(lanes, last - x);
-            example::vectors weights, at, normals, colours;
+            example::vectors weights, at, normals, colors;
             float lit[lanes]{}, n_dot_l[lanes];
             std::copy_n(visible + x, count, lit);
             on.locate({x, y}, weights, at);
-            on.paint(weights, at, colours);
+            on.paint(weights, at, colors);
             for (int i = 0; i < lanes; ++i) normals.set(i, on.normal(weights[i], on.face_normal(at[i])));
             for (int i = 0; i < lanes; ++i) n_dot_l[i] = glm::dot(normals[i], v.lamp.to_light(at[i]));
             for (int i = 0; i < lanes; ++i) lit[i] *= v.lamp.cone(at[i]);
             for (int i = 0; i < lanes; ++i)
-                colours.set(i, umbrage::diffuse_ambient(colours[i], ambient, n_dot_l[i], lit[i]));
-            for (int i = 0; i < count; ++i) out[x + i] = colours[i];
+                colors.set(i, umbrage::diffuse_ambient(colors[i], ambient, n_dot_l[i], lit[i]));
+            for (int i = 0; i < count; ++i) out[x + i] = colors[i];
         }
     });
 }

@@ -19,10 +19,10 @@ int height_of(std::size_t lines) { return static_cast<int>(lines) * line + 2 * m
 
 glm::ivec2 sheet::part(glm::ivec2 size) { return glm::max(glm::ivec2(size.y / (2 * zoom), size.y / zoom), 1); }
 
-sheet::sheet(glm::ivec2 size, int pictures, const std::vector<std::string>& title, std::optional<glm::ivec2> centre)
+sheet::sheet(glm::ivec2 size, int pictures, const std::vector<std::string>& title, std::optional<glm::ivec2> center)
     : size_(size),
-      part_(centre ? part(size) : glm::ivec2(0)),
-      first_(glm::clamp(centre.value_or(part_) - part_ / 2, glm::ivec2(0), size - part_)),
+      part_(center ? part(size) : glm::ivec2(0)),
+      first_(glm::clamp(center.value_or(part_) - part_ / 2, glm::ivec2(0), size - part_)),
       cell_(size.x + part_.x * zoom, size.y + height_of(lines)),
       top_(height_of(title.size())),
       pixels_(glm::ivec2(columns, (pictures + columns - 1) / columns) * cell_ + glm::ivec2(0, top_), paper) {

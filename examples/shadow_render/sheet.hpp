@@ -34,8 +34,8 @@ public:
     static constexpr int columns = 4, lines = 3;  ///< of text below a picture
 
     /// @param size      of each picture
-    /// @param centre    of what is magnified, pixels of a picture; without one nothing is
-    sheet(glm::ivec2 size, int pictures, const std::vector<std::string>& title, std::optional<glm::ivec2> centre = {});
+    /// @param center    of what is magnified, pixels of a picture; without one nothing is
+    sheet(glm::ivec2 size, int pictures, const std::vector<std::string>& title, std::optional<glm::ivec2> center = {});
 
     void add(const picture& p, const std::vector<std::string>& text);
 

@@ -159,8 +159,8 @@ picture from_above(const options& o, const example::scene& scene, const film_loo
     for_each_surface(o, scene, camera_above(o, scene), [&](glm::ivec2 p, const example::surface& at) {
         const umbrage::placed_point now = lit(at), then = first(at);
         const bool same = now.map != then.map || now.visibility == then.visibility;
-        const glm::vec3 grey(static_cast<float>(0.15 + 0.7 * now.visibility));
-        out[p] = umbrage::store_unorm8(same ? grey : mark);
+        const glm::vec3 gray(static_cast<float>(0.15 + 0.7 * now.visibility));
+        out[p] = umbrage::store_unorm8(same ? gray : mark);
     });
     return out;
 }

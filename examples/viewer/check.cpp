@@ -56,17 +56,17 @@ void same_shadow(const example::shadow_system& system, int width, const std::str
     CHECK(near < 300);  // `near` says no as well
     if (width < 500) return;
 
-    // Colours, but for the corner where the map lies: its contrast is stretched after fewer texels.
-    const picture colours = example::read_png<glm::u8vec3>(folder / name / "picture.png"), seen = viewed(arguments);
+    // Colors, but for the corner where the map lies: its contrast is stretched after fewer texels.
+    const picture colors = example::read_png<glm::u8vec3>(folder / name / "picture.png"), seen = viewed(arguments);
     const int edge = got.size().y * 3 / 10;
-    int other_colours = 0;
+    int other_colors = 0;
     for (glm::ivec2 p{0}; p.y < got.size().y; ++p.y)
         for (p.x = 0; p.x < got.size().x; ++p.x) {
-            const glm::ivec3 apart = glm::abs(glm::ivec3(colours[p]) - glm::ivec3(seen[p]));
-            other_colours += (p.x >= edge || p.y >= edge) && glm::max(apart.x, glm::max(apart.y, apart.z)) > 2;
+            const glm::ivec3 apart = glm::abs(glm::ivec3(colors[p]) - glm::ivec3(seen[p]));
+            other_colors += (p.x >= edge || p.y >= edge) && glm::max(apart.x, glm::max(apart.y, apart.z)) > 2;
         }
-    std::printf("%-15s %d of %d pixels of other colours\n", name.c_str(), other_colours, pixels);
-    CHECK(other_colours * 200 <= pixels);
+    std::printf("%-15s %d of %d pixels of other colors\n", name.c_str(), other_colors, pixels);
+    CHECK(other_colors * 200 <= pixels);
 }
 
 void same_shadow_everywhere(example::shadow_system system) {

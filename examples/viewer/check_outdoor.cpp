@@ -9,7 +9,7 @@
 
 using namespace viewer_check;
 
-TEST_CASE("outdoor: maps placed either way shadow as rays do, under other filters nearly the same, and have colours") {
+TEST_CASE("outdoor: maps placed either way shadow as rays do, under other filters nearly the same, and have colors") {
     const std::string small = "--headless --system outdoor --width 240 --height 160 --map-size 1024 ";
     viewer::options o;
     o.system = "outdoor", o.width = 240, o.height = 160;

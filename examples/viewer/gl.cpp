@@ -28,7 +28,7 @@ handle<program_kind> linked(const stages& text) {
     glBindAttribLocation(id, position, "position");
     glBindAttribLocation(id, normal, "normal");
     glBindAttribLocation(id, face_normal, "face_normal");
-    glBindAttribLocation(id, colour, "colour");
+    glBindAttribLocation(id, color, "color");
     glBindAttribLocation(id, corner, "corner");
     glLinkProgram(id);
     glGetProgramiv(id, GL_LINK_STATUS, &good);

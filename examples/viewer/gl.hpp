@@ -92,7 +92,7 @@ struct program_kind {
 void prepare_context();
 
 /// Attributes have their places by name.
-enum attribute : GLuint { position, normal, face_normal, colour, corner };
+enum attribute : GLuint { position, normal, face_normal, color, corner };
 
 /// Floats of the bound buffer, `offset` bytes into each of its elements.
 void attribute_at(GLuint place, GLint size, std::size_t stride, std::size_t offset);

@@ -17,7 +17,7 @@ void hud::draw(const std::string& text, glm::ivec2 from, glm::ivec2 size) const 
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
     const auto bytes = static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec2));
     glBufferData(GL_ARRAY_BUFFER, bytes, triangles.data(), GL_STREAM_DRAW);
-    for (GLuint i : {position, normal, face_normal, colour}) glDisableVertexAttribArray(i);
+    for (GLuint i : {position, normal, face_normal, color}) glDisableVertexAttribArray(i);
     glEnableVertexAttribArray(corner);
     glVertexAttribPointer(corner, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     glDisable(GL_DEPTH_TEST);

@@ -55,7 +55,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--height", o.height, "pixels")->check(within(16, 8192));
     app.add_flag("--es2", o.es2, "OpenGL ES 2 and GLSL 100: systems radeon_8500 and self_shadowing");
     app.add_flag("--mask", o.mask, "visibility alone, white is lit");
-    app.add_flag("--tint", o.tint, "outdoor: each cascade, face or size of pages in a colour");
+    app.add_flag("--tint", o.tint, "outdoor: each cascade, face or size of pages in a color");
     app.add_flag("!--no-text", o.text, "no text in the window");
     app.add_flag("!--no-map", o.map, "no shadow map in the corner");
 

@@ -26,7 +26,7 @@ struct options {
     int width = 960, height = 640;
     bool es2 = false;   ///< OpenGL ES 2 and GLSL 100
     bool mask = false;  ///< visibility alone
-    bool tint = false;  ///< cascades, pages, faces in colours
+    bool tint = false;  ///< cascades, pages, faces in colors
     bool text = true, map = true;
 
     bool headless = false;

@@ -24,7 +24,7 @@ namespace {
 constexpr GLuint place_columns = corner + 1;  ///< attribute of an instance's matrix, and the three after it
 
 struct shape_vertex {
-    glm::vec3 position, normal, colour;
+    glm::vec3 position, normal, color;
 };
 
 glm::vec3 sun(const session& s) { return -example::direction_at(s.system.azimuth, s.system.elevation); }
@@ -56,7 +56,7 @@ outdoor::outdoor(const example::scene& scene) : look_(outdoor_look_stages()) {
         shapes_.push_back({umbrage::bounds_of(view_of(m)), 3 * triangles.size(), 3 * m.triangles.size(),
                            static_cast<GLint>(vertices.size())});
         for (std::size_t i = 0; i < m.positions.size(); ++i)
-            vertices.push_back({m.positions[i], m.normals[i], m.colours[i]});
+            vertices.push_back({m.positions[i], m.normals[i], m.colors[i]});
         triangles.insert(triangles.end(), m.triangles.begin(), m.triangles.end());
     }
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
@@ -82,7 +82,7 @@ void outdoor::draw_instances(const example::scene& scene, const glm::mat4& world
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
     attribute_at(position, 3, sizeof(shape_vertex), offsetof(shape_vertex, position));
     attribute_at(normal, 3, sizeof(shape_vertex), offsetof(shape_vertex, normal));
-    attribute_at(colour, 3, sizeof(shape_vertex), offsetof(shape_vertex, colour));
+    attribute_at(color, 3, sizeof(shape_vertex), offsetof(shape_vertex, color));
     for (const GLuint unused : {face_normal, corner}) glDisableVertexAttribArray(unused);
     glBindBuffer(GL_ARRAY_BUFFER, places_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(places.size() * sizeof(glm::mat4)), places.data(),

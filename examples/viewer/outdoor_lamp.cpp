@@ -43,7 +43,7 @@ void outdoor::draw_cut(glm::vec3 position, const umbrage::light_space<double>& l
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, cut_->indices);
     glBindBuffer(GL_ARRAY_BUFFER, cut_->vertices);
     attribute_at(viewer::position, 3, sizeof(glm::vec3), 0);
-    for (const GLuint unused : {normal, colour, face_normal, corner}) glDisableVertexAttribArray(unused);
+    for (const GLuint unused : {normal, color, face_normal, corner}) glDisableVertexAttribArray(unused);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_CLIP_DISTANCE0);  // behind its map a paraboloid has no picture

@@ -32,7 +32,7 @@ std::string shader(const std::vector<glsl::bound>& uses, std::string_view ahead 
 
 std::string instances() {
     return shader({}) + R"GLSL(
-in vec3 position, normal, colour;
+in vec3 position, normal, color;
 layout(location = 5) in mat4 place;
 uniform mat4 world_to_clip;
 uniform vec3 eye;
@@ -146,7 +146,7 @@ float visibility_here(vec3 face) {
 constexpr const char* tints = R"GLSL(
     const vec3 tints[7] = vec3[7](vec3(1.0, 0.45, 0.4), vec3(0.5, 1.0, 0.4), vec3(0.45, 0.6, 1.0),
                                   vec3(1.0, 0.9, 0.35), vec3(1.0), vec3(0.5, 1.0, 1.0), vec3(1.0));
-    fragment_colour.rgb *= mix(tints[int(number)], tints[int(number) + 1], weight);
+    fragment_color.rgb *= mix(tints[int(number)], tints[int(number) + 1], weight);
 )GLSL";
 
 }  // namespace
@@ -189,11 +189,11 @@ void main() {
 }
 )GLSL",
             shader({}) + faces + R"GLSL(
-out vec4 fragment_colour;
+out vec4 fragment_color;
 void main() {
     vec3 face = towards(face_here(), vec3(0.0, 0.0, 1.0));
     vec2 bits = floor((face.xy * 0.5 + 0.5) * 4095.0 + 0.5);
-    fragment_colour = vec4(from_eye, bits.x * 4096.0 + bits.y);
+    fragment_color = vec4(from_eye, bits.x * 4096.0 + bits.y);
 }
 )GLSL"};
 }
@@ -241,20 +241,20 @@ stages outdoor_camera_stages(const session& s) {
     stages out;
     out.vertex = instances() + R"GLSL(
 uniform vec3 ahead;
-out vec3 from_eye, world_normal, surface_colour;
+out vec3 from_eye, world_normal, surface_color;
 out float distance_ahead;
 void main() {
     from_eye = (place * vec4(position, 1.0)).xyz - eye;
     world_normal = mat3(place) * normal;
-    surface_colour = colour;
+    surface_color = color;
     distance_ahead = dot(from_eye, ahead);
     gl_Position = world_to_clip * (place * vec4(position, 1.0));
 }
 )GLSL";
     out.fragment = shader(uses, ahead) + faces + R"GLSL(
-in vec3 world_normal, surface_colour;
+in vec3 world_normal, surface_color;
 in float distance_ahead;
-out vec4 fragment_colour;
+out vec4 fragment_color;
 uniform vec3 eye;
 uniform vec4 light;  // towards it and 0, or where it is from the eye and 1
 vec3 light_direction;
@@ -271,13 +271,13 @@ void main() {
     float visibility = visibility_here(face);
 )GLSL";
     if (s.mask) {
-        out.fragment += "    fragment_colour = vec4(vec3(visibility), 1.0);\n}\n";
+        out.fragment += "    fragment_color = vec4(vec3(visibility), 1.0);\n}\n";
         return out;
     }
     out.fragment += R"GLSL(
-    vec3 seen = umbrage_diffuse_ambient(surface_colour, ambient, dot(towards(normalize(world_normal), face),
+    vec3 seen = umbrage_diffuse_ambient(surface_color, ambient, dot(towards(normalize(world_normal), face),
                                         -light_direction), visibility);
-    fragment_colour = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), 1.0);
+    fragment_color = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), 1.0);
 )GLSL";
     if (s.tint && has_parts(s.placement)) out.fragment += tints;
     out.fragment += "}\n";

@@ -74,7 +74,7 @@ bias bias_of(const shadow_system& s, const glsl::binding& map) {
     std::string stored = map.depth.empty() ? "value.x" : map.depth;
     stored.replace(stored.find("value"), 5, "umbrage_fetch_clamped(map, size, texel)");
     stored = projected(s, stored);
-    if (moves) stored = "umbrage_on_receiver_plane(" + stored + ", plane, plane_at, texel)";
+    if (moves) stored = "umbrage_apply_receiver_plane(" + stored + ", plane, plane_at, texel)";
     out.ahead += "#define UMBRAGE_FETCH(map, size, texel) " + stored + "\n";
     return out;
 }
@@ -130,7 +130,7 @@ std::optional<prefilter> prefilter_of(const shadow_system& s) {
         constexpr std::array zeros{"", ", 0.0, 0.0, 0.0", ", 0.0, 0.0", "", ""};
         std::string depth = "depth";
         snippets writers{*of.writer};
-        if (of.writer == &glsl::turn_moments) {
+        if (of.writer == &glsl::to_optimized_moments) {
             depth = "umbrage_encode_msm(depth)";
             writers.push_back(glsl::encode_msm);
         }
@@ -152,8 +152,8 @@ filter filter_of(const shadow_system& s) {
     snippets uses;
     umbrage::filters::soft::with(s.filter, [&](const auto& of) {
         snippet = of.snippet;
-        arguments += ", softness, umbrage_disc_turn(gl_FragCoord.xy)";
-        uses.push_back(glsl::disc_turn);
+        arguments += ", softness, umbrage_disc_rotation(gl_FragCoord.xy)";
+        uses.push_back(glsl::disc_rotation);
     });
     umbrage::prefilters::all::with(s.filter, [&](const auto& of) {
         snippet = of.snippet;
@@ -168,8 +168,8 @@ filter filter_of(const shadow_system& s) {
     example::with_filter(s.filter, s.radius, [&](const auto& of) {
         snippet = of.snippet;
         if constexpr (requires { of.radius_texels; }) {
-            arguments += ", " + std::to_string(of.radius_texels) + ", umbrage_disc_turn(gl_FragCoord.xy)";
-            uses.push_back(glsl::disc_turn);
+            arguments += ", " + std::to_string(of.radius_texels) + ", umbrage_disc_rotation(gl_FragCoord.xy)";
+            uses.push_back(glsl::disc_rotation);
         }
         if constexpr (requires { of.radius; }) arguments += ", " + std::to_string(of.radius);
     });

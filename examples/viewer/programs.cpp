@@ -40,9 +40,8 @@ std::string vertex_text(version v, const snippets& uses, std::string_view rest) 
 std::string fragment_text(version v, const std::vector<glsl::bound>& uses, std::string_view rest,
                           const std::string& ahead = {}) {
     const std::string words =
-        v == version::v100
-            ? "precision highp float;\nprecision highp sampler2D;\n#define fragment_colour gl_FragColor\n"
-            : "#define varying in\nout vec4 fragment_colour;\n";
+        v == version::v100 ? "precision highp float;\nprecision highp sampler2D;\n#define fragment_color gl_FragColor\n"
+                           : "#define varying in\nout vec4 fragment_color;\n";
     return glsl::source(v, uses, words + ahead).append(rest);
 }
 
@@ -96,7 +95,7 @@ void main() {
                           "uniform sampler2D table;\nvarying vec4 coordinate;\n" + map_depth(s) + R"GLSL(
 void main() {
     float depth = map_depth(umbrage_project_coordinate(coordinate).z);
-    fragment_colour = )GLSL" + how.write +
+    fragment_color = )GLSL" + how.write +
                               ";\n}\n",
                           planes)};
 }
@@ -119,15 +118,15 @@ stages camera_stages(const shadow_system& s, version v, bool mask) {
     stages out;
     out.vertex = vertex_text(v, {}, R"GLSL(
 attribute vec3 position, normal, face_normal;
-attribute vec4 colour;
+attribute vec4 color;
 uniform mat4 world_to_clip;
 varying vec3 world, world_normal, world_face;
-varying vec4 surface_colour;
+varying vec4 surface_color;
 void main() {
     world = position;
     world_normal = normal;
     world_face = face_normal;
-    surface_colour = colour;
+    surface_color = color;
     gl_Position = world_to_clip * vec4(position, 1.0);
 }
 )GLSL");
@@ -141,7 +140,7 @@ void main() {
                                         projects ? std::nullopt : std::optional(map)),
                                  R"GLSL(
 varying vec3 world, world_normal, world_face;
-varying vec4 surface_colour;  // alpha: 1 on the floor
+varying vec4 surface_color;   // alpha: 1 on the floor
 uniform vec3 eye, light_direction;
 uniform vec4 light_position;  // w: 1 for a spot, 0 for a directional light
 uniform float cos_outer, reach, constant, epsilon, ambient;
@@ -154,7 +153,7 @@ uniform )GLSL" + std::string(sums ? "usampler2D" : "sampler2D") +
 vec3 unit(vec3 a, vec3 otherwise) { return length(a) > 0.0 ? a / length(a) : otherwise; }
 vec3 towards(vec3 a, vec3 side) { return dot(a, side) < 0.0 ? -a : a; }
 
-vec3 floor_colour(vec3 point) {
+vec3 floor_color(vec3 point) {
     vec2 cell = floor(point.xz * 2.0), inside = point.xz * 2.0 - cell;
     vec2 joint = min(inside, 1.0 - inside);
     return vec3(min(joint.x, joint.y) < 0.02 ? 0.30 : mod(cell.x + cell.y, 2.0) != 0.0 ? 0.52 : 0.64);
@@ -204,19 +203,19 @@ void main() {
 )GLSL",
                                  bias.ahead);
     if (mask) {
-        out.fragment += "    fragment_colour = vec4(vec3(visibility), 1.0);\n}\n";
+        out.fragment += "    fragment_color = vec4(vec3(visibility), 1.0);\n}\n";
         return out;
     }
     out.fragment += R"GLSL(
     // Shade.
-    vec3 albedo = surface_colour.a > 0.5 ? floor_colour(world) : surface_colour.rgb;
+    vec3 albedo = surface_color.a > 0.5 ? floor_color(world) : surface_color.rgb;
 )GLSL" + std::string(s.textured ? "    albedo *= solid_texture(world);\n" : "") +
                     R"GLSL(
     vec3 to_light = light_position.w > 0.0 ? normalize(light_position.xyz - world) : -light_direction;
     float n_dot_l = dot(normal, to_light);
     vec3 seen = )GLSL" +
                     lit + R"GLSL(;
-    fragment_colour = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), 1.0);
+    fragment_color = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), 1.0);
 }
 )GLSL";
     return out;
@@ -228,7 +227,7 @@ stages moments_stages(const shadow_system& s, version v) {
     uses.insert(uses.end(), of.writers.begin(), of.writers.end());
     return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, uses, false) + planes +
                                                       "void main() {\n    float depth = " + even(s, "depth_here()") +
-                                                      ";\n    fragment_colour = " + of.texel + ";\n}\n"};
+                                                      ";\n    fragment_color = " + of.texel + ";\n}\n"};
 }
 
 stages blur_stages(version v, int taps) {
@@ -239,20 +238,20 @@ uniform vec2 map_size, along;
 varying vec2 at;
 void main() {
     vec2 texel = floor(vec2(at.x, 1.0 - at.y) * map_size);
-    fragment_colour = umbrage_)GLSL" + std::string(row.name) + "(map, map_size, texel, along);\n}\n")};
+    fragment_color = umbrage_)GLSL" + std::string(row.name) + "(map, map_size, texel, along);\n}\n")};
 }
 
 stages overlay_stages(const shadow_system& s, version v, bool layers) {
     return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, {}, layers) + R"GLSL(
 uniform float low, high;
-void main() { fragment_colour = vec4(vec3(umbrage_saturate((depth_here() - low) / (high - low))), 1.0); }
+void main() { fragment_color = vec4(vec3(umbrage_saturate((depth_here() - low) / (high - low))), 1.0); }
 )GLSL"};
 }
 
 stages read_back_stages(const shadow_system& s, version v, bool layers) {
     return {vertex_text(v, {}, rectangle_vertex),
             overlay_head(s, v, {glsl::encode_rgb24, glsl::to_unorm}, layers) + R"GLSL(
-void main() { fragment_colour = vec4(umbrage_to_unorm(umbrage_encode_rgb24(depth_here())), 1.0); }
+void main() { fragment_color = vec4(umbrage_to_unorm(umbrage_encode_rgb24(depth_here())), 1.0); }
 )GLSL"};
 }
 
@@ -265,7 +264,7 @@ void main() {
     gl_Position = vec4(at.x - 1.0, 1.0 - at.y, 0.0, 1.0);
 }
 )GLSL"),
-            fragment_text(v, {}, "uniform vec4 ink;\nvoid main() { fragment_colour = ink; }\n")};
+            fragment_text(v, {}, "uniform vec4 ink;\nvoid main() { fragment_color = ink; }\n")};
 }
 
 }  // namespace viewer

@@ -41,7 +41,7 @@ struct stages {
 /// The map's depth as three bytes, to be read back on any OpenGL.
 [[nodiscard]] stages read_back_stages(const example::shadow_system& s, umbrage::glsl::version v, bool layers);
 
-/// Triangles of one colour, in pixels.
+/// Triangles of one color, in pixels.
 [[nodiscard]] stages text_stages(umbrage::glsl::version v);
 
 }  // namespace viewer

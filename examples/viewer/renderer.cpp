@@ -26,7 +26,7 @@ namespace {
 struct vertex {
     glm::vec3 position, normal;
     glm::vec3 face_normal;  ///< of any length
-    glm::vec4 colour;       ///< alpha: 1 on the floor
+    glm::vec4 color;        ///< alpha: 1 on the floor
 };
 
 /// Compiles when the text is another than last time.
@@ -43,9 +43,10 @@ float epsilon_of(const example::shadow_system& s) {
     return example::moves_stored_depths(s.bias) ? 2 * one : one;
 }
 
-umbrage::light_softness softness_of(const example::shadow_system& s, const example::light& l, glm::vec2 units) {
+umbrage::penumbra_params softness_of(const example::shadow_system& s, const example::light& l, glm::vec2 units) {
     const float radius = 0.5f * s.light_size * s.scene_scale;
-    return umbrage::make_softness(units, l.spot ? radius : radius / (s.distance * s.scene_scale), 1.0f, s.widest);
+    return umbrage::make_penumbra_params(units, l.spot ? radius : radius / (s.distance * s.scene_scale), 1.0f,
+                                         s.max_radius);
 }
 
 void bind(int unit, GLuint texture) {
@@ -77,7 +78,7 @@ void renderer::upload(const example::scene& scene) {
         const glm::vec3 a = m.positions[t.x], b = m.positions[t.y], c = m.positions[t.z];
         const float on_floor = i < scene.floor_triangles ? 1 : 0;
         for (int k = 0; k < 3; ++k)
-            all.push_back({m.positions[t[k]], m.normals[t[k]], glm::cross(b - a, c - a), {m.colours[t[k]], on_floor}});
+            all.push_back({m.positions[t[k]], m.normals[t[k]], glm::cross(b - a, c - a), {m.colors[t[k]], on_floor}});
     }
     vertices_ = static_cast<GLsizei>(all.size());
     glBindBuffer(GL_ARRAY_BUFFER, mesh_);
@@ -89,7 +90,7 @@ void renderer::draw_mesh() const {
     attribute_at(position, 3, sizeof(vertex), offsetof(vertex, position));
     attribute_at(normal, 3, sizeof(vertex), offsetof(vertex, normal));
     attribute_at(face_normal, 3, sizeof(vertex), offsetof(vertex, face_normal));
-    attribute_at(colour, 4, sizeof(vertex), offsetof(vertex, colour));
+    attribute_at(color, 4, sizeof(vertex), offsetof(vertex, color));
     glDisableVertexAttribArray(corner);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -99,7 +100,7 @@ void renderer::draw_mesh() const {
 void renderer::draw_rectangle(const program& p, glm::vec4 place) const {
     p.set("place", place);
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
-    for (GLuint i : {position, normal, face_normal, colour}) glDisableVertexAttribArray(i);
+    for (GLuint i : {position, normal, face_normal, color}) glDisableVertexAttribArray(i);
     attribute_at(corner, 2, sizeof(glm::vec2), 0);
     glDisable(GL_DEPTH_TEST);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

@@ -148,7 +148,7 @@ void session::filter(std::string_view name) {
         throw example::usage_error("OpenGL ES 2 has no float maps for the filter " + std::string(name));
     system.filter = listed(filter_names(), name);
     system.reach =
-        example::covered(example::soft_reach(name, system.widest).value_or(example::reach_of(name, system.radius)));
+        example::covered(example::soft_reach(name, system.max_radius).value_or(example::reach_of(name, system.radius)));
     settle_receiver();
 }
 

@@ -207,8 +207,8 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
 enum class hook {
     none,
     cleared_depth,
-    beyond_far,
-    before_far,
+    beyond_far_plane,
+    within_far_plane,
     compare,
     texel,
     fetch_depth,
@@ -548,8 +548,8 @@ inline constexpr const snippet* scalar_snippets[]{&saturate};
 //
 // Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or
 // comparison where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either
-// side is in shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far before they
-// compare.
+// side is in shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far_plane
+// before they compare.
 
 namespace umbrage {
 
@@ -561,7 +561,7 @@ struct less_equal {
         return !is_nan(receiver) && !is_nan(stored) && receiver <= stored;
     }
     template <real T>
-    [[nodiscard]] static constexpr bool beyond_far(T receiver) {
+    [[nodiscard]] static constexpr bool beyond_far_plane(T receiver) {
         return !is_nan(receiver) && receiver > T(1);
     }
     template <real T>
@@ -577,7 +577,7 @@ struct greater_equal {
         return !is_nan(receiver) && !is_nan(stored) && receiver >= stored;
     }
     template <real T>
-    [[nodiscard]] static constexpr bool beyond_far(T receiver) {
+    [[nodiscard]] static constexpr bool beyond_far_plane(T receiver) {
         return !is_nan(receiver) && receiver < T(0);
     }
     template <real T>
@@ -590,7 +590,7 @@ struct greater_equal {
 /// receivers beyond it come in as what every texel lights.
 struct less_equal_scaled : less_equal {
     template <real T>
-    [[nodiscard]] static constexpr bool beyond_far(T) {
+    [[nodiscard]] static constexpr bool beyond_far_plane(T) {
         return false;
     }
 };
@@ -605,9 +605,9 @@ struct comparison {
                                                      : greater_equal{}(receiver, stored);
     }
     template <real T>
-    [[nodiscard]] constexpr bool beyond_far(T receiver) const {
-        return direction == depth_direction::forward ? less_equal::beyond_far(receiver)
-                                                     : greater_equal::beyond_far(receiver);
+    [[nodiscard]] constexpr bool beyond_far_plane(T receiver) const {
+        return direction == depth_direction::forward ? less_equal::beyond_far_plane(receiver)
+                                                     : greater_equal::beyond_far_plane(receiver);
     }
     template <real T>
     [[nodiscard]] constexpr T towards_light(T depth, T by) const {
@@ -619,16 +619,16 @@ struct comparison {
 /// True for receivers behind the far plane, where no map reaches; never for a comparison on a scale of its own.
 /// @exactness     A
 template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr bool beyond_far(T receiver, const Compare& is_lit = {}) {
-    if constexpr (requires { is_lit.beyond_far(receiver); }) return is_lit.beyond_far(receiver);
+[[nodiscard]] constexpr bool beyond_far_plane(T receiver, const Compare& is_lit = {}) {
+    if constexpr (requires { is_lit.beyond_far_plane(receiver); }) return is_lit.beyond_far_plane(receiver);
     else return false;
 }
 
-/// True for receivers up to the far plane; false beyond it, and for NaN, which neither beyond_far nor this is true of.
+/// True for receivers up to the far plane; false beyond it. For NaN neither this nor beyond_far_plane is true.
 /// @exactness     A
 template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr bool before_far(T receiver, const Compare& is_lit = {}) {
-    return !is_nan(receiver) && !beyond_far(receiver, is_lit);
+[[nodiscard]] constexpr bool within_far_plane(T receiver, const Compare& is_lit = {}) {
+    return !is_nan(receiver) && !beyond_far_plane(receiver, is_lit);
 }
 
 /// Visibility of one comparison.
@@ -663,11 +663,11 @@ template <real T>
 
 namespace glsl {
 
-inline constexpr snippet beyond_far{
-    .name = "beyond_far",
+inline constexpr snippet beyond_far_plane{
+    .name = "beyond_far_plane",
     .summary = "receivers behind the far plane",
     .exactness = tier::a,
-    .role = hook::beyond_far,
+    .role = hook::beyond_far_plane,
     .source = R"GLSL(
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
@@ -677,25 +677,25 @@ inline constexpr snippet beyond_far{
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 )GLSL",
 };
 
-inline constexpr snippet before_far{
-    .name = "before_far",
+inline constexpr snippet within_far_plane{
+    .name = "within_far_plane",
     .summary = "receivers up to the far plane, NaN is none",
     .exactness = tier::a,
-    .needs = list<&beyond_far>,
-    .role = hook::before_far,
+    .needs = list<&beyond_far_plane>,
+    .role = hook::within_far_plane,
     .source = R"GLSL(
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     // a sum of choices, not an or of comparisons, which compilers take for true
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
 }
 )GLSL",
 };
@@ -706,17 +706,17 @@ inline constexpr snippet compare{
     .exactness = tier::a,
     .role = hook::compare,
     .source = R"GLSL(
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_LIT
+// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_COMPARE
 #ifdef UMBRAGE_REVERSED
-#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
 #else
-#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
 #endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_LIT(receiver, stored);
+    return UMBRAGE_COMPARE(receiver, stored);
 }
 )GLSL",
 };
@@ -751,7 +751,7 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 )GLSL",
 };
 
-inline constexpr const snippet* compare_snippets[]{&beyond_far, &before_far, &compare, &compare_dx_sdk,
+inline constexpr const snippet* compare_snippets[]{&beyond_far_plane, &within_far_plane, &compare, &compare_dx_sdk,
                                                    &compare_exercise};
 
 }  // namespace glsl
@@ -827,7 +827,7 @@ inline constexpr const snippet* constant_snippets[]{&clamp_bias, &biased};
 // ---- umbrage/core/unorm.hpp
 // Between integer channels 0..255 and what an 8-bit render target takes and gives.
 //
-//     vec4 colour = umbrage_to_unorm(channels);    // writing: the same byte whether the store rounds or truncates
+//     vec4 color = umbrage_to_unorm(channels);     // writing: the same byte whether the store rounds or truncates
 //     vec4 channels = umbrage_from_unorm(texel);   // reading: whole numbers, however the driver divides by 255
 //
 
@@ -986,7 +986,7 @@ concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
     { e.cleared() } -> std::same_as<typename Encoding::texel>;            // an empty map's: decodes to the far plane
 };
 
-/// Whether the reader asks which place of a code's interval it shall answer: lower_edge, centre or upper_edge.
+/// Whether the reader asks which place of a code's interval it shall answer: lower_edge, center or upper_edge.
 template <class Encoding>
 concept has_edge = requires(Encoding e) {
     { e.edge } -> std::convertible_to<float>;
@@ -1006,7 +1006,7 @@ consteval bool is_encoding() {
     return true;
 }
 
-/// The edge on whose side no surface shadows itself through quantisation alone.
+/// The edge on whose side no surface shadows itself through quantization alone.
 [[nodiscard]] constexpr float safe_edge(depth_direction direction) {
     return direction == depth_direction::forward ? 1.0f : 0.0f;
 }
@@ -1050,7 +1050,7 @@ template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
     { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
     { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
-    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest centre of a texel it reads, along an axis
+    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest center of a texel it reads, along an axis
     { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
 };
 
@@ -1076,7 +1076,7 @@ consteval bool is_filter() {
 //     float bias = umbrage::acne_free_bias(slope, filter, umbrage::rg<11>{});
 //     float visibility = filter(fetch, glm::vec2(p), umbrage::biased(p.z, bias, filter.is_lit));
 //
-// A filter compares a receiver with depths of its plane at centres of texels that lie up to its reach away, in x and in
+// A filter compares a receiver with depths of its plane at centers of texels that lie up to its reach away, in x and in
 // y: there the plane may be nearer by reach (|a| + |b|), and what is stored of it nearer still by the encoding's error.
 // That much is needed, and no more: with 9/10 of it some receiver is dark.
 
@@ -1087,19 +1087,19 @@ namespace umbrage {
 ///                        (SUBPIXEL_BITS); WebGL, WebGPU and Metal state none
 /// @formula               4 times the greatest move, half a step of 2^-SubTexelBits texel
 template <real T, int SubTexelBits = 8>
-inline constexpr T snapping_reach = T(2) / T(1 << SubTexelBits);
+inline constexpr T rasterizer_snap = T(2) / T(1 << SubTexelBits);
 
 /// The smallest bias in depth without acne, for filters that read whole rows and columns.
 ///
 /// @param slope   change of the receiver's depth from one texel to the next, in x and y: plane_slope, receiver_plane
 /// @param reach   of the filter, texels; with coordinates that round, 2^-12 more for 4096 texels, and in proportion;
-///                snapping_reach more where a rasterizer has moved vertices
+///                rasterizer_snap more where a rasterizer has moved vertices
 /// @param error   how far a decoded depth may lie before the true one: decoding_error::below, where depth is reversed
 ///                above; of a UNORM depth texture 1/2 / (2^bits - 1)
 /// @return        0 .. 1; 1, with which nothing is in shadow, for slopes and reaches that are infinite, and for NaN
 /// @formula       reach (|slope.x| + |slope.y|) + error + 2^-23, the last for rounding in binary32 of depth once it is
 ///                there; what a matrix in floats lost of it before, some 2^-22 of a z/w near 1, is to be added to error
-/// @detaches      casters nearer to the receiver than detachment() lose their shadow
+/// @detaches      casters nearer to the receiver than peter_panning_distance() lose their shadow
 /// @exactness     B, n = 4
 template <real T>
 [[nodiscard]] constexpr T acne_free_bias(glm::vec<2, T> slope, T reach, T error) {
@@ -1123,7 +1123,7 @@ template <real T>
 }
 
 /// The smallest bias for a filter over a map of an encoding, whose direction of depth says which of its errors counts.
-/// @param more   what the reach is to grow by, texels: snapping_reach, rounding of coordinates
+/// @param more   what the reach is to grow by, texels: rasterizer_snap, rounding of coordinates
 [[nodiscard]] constexpr float acne_free_bias(glm::vec2 slope, const known_filter auto& filter,
                                              const known_encoding auto& encoding, float more = 0.0f) {
     const decoding_error both = encoding.error();
@@ -1145,7 +1145,7 @@ template <real T>
 ///                       light: in world units at most sqrt(2) reach texel tan(t) sin(t)
 /// @exactness            B, n = 4
 template <real T>
-[[nodiscard]] constexpr T detachment(T bias, glm::vec<2, T> caster_slope, T reach) {
+[[nodiscard]] constexpr T peter_panning_distance(T bias, glm::vec<2, T> caster_slope, T reach) {
     return acne_free_bias(caster_slope, reach, bias);
 }
 
@@ -1191,24 +1191,24 @@ UMBRAGE_HIGHP float umbrage_acne_free_disc_bias(UMBRAGE_HIGHP vec2 slope, UMBRAG
 )GLSL",
 };
 
-inline constexpr snippet detachment{
-    .name = "detachment",
+inline constexpr snippet peter_panning_distance{
+    .name = "peter_panning_distance",
     .summary = "depth before a receiver within which its bias loses a caster's shadow",
     .exactness = tier::b,
     .operations = 4,
     .needs = list<&acne_free_bias>,
     .source = R"GLSL(
-// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+// umbrage_peter_panning_distance: a caster nearer to the receiver loses its shadow, or a part of it; depth, 0.0 to 1.0
 //   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
 //   reach  of the filter, texels
-UMBRAGE_HIGHP float umbrage_detachment(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP vec2 caster_slope,
+UMBRAGE_HIGHP float umbrage_peter_panning_distance(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP vec2 caster_slope,
                                        UMBRAGE_HIGHP float reach) {
     return umbrage_acne_free_bias(caster_slope, reach, bias);
 }
 )GLSL",
 };
 
-inline constexpr const snippet* acne_free_snippets[]{&acne_free_bias, &acne_free_disc_bias, &detachment};
+inline constexpr const snippet* acne_free_snippets[]{&acne_free_bias, &acne_free_disc_bias, &peter_panning_distance};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1615,7 +1615,7 @@ namespace umbrage {
 
 /// World to texels and depth, before the division by w.
 ///
-/// @param map_size   texels, each >= 1; the first texel's centre is (0.5, 0.5)
+/// @param map_size   texels, each >= 1; the first texel's center is (0.5, 0.5)
 /// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
 ///                   [-1, 1] clip space becomes z / 2 + 1 / 2
@@ -1651,7 +1651,7 @@ template <real T>
 
 }  // namespace detail
 
-/// The same to [0, 1]: what texture look-ups with normalised coordinates take.
+/// The same to [0, 1]: what texture look-ups with normalized coordinates take.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
     return texture_matrix(light, {1, 1});
@@ -2206,21 +2206,21 @@ inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &sl
 }  // namespace umbrage
 
 // ---- umbrage/bias/receiver_plane.hpp
-// The receiver's own plane: every texel is compared with the depth that the plane has at the texel's centre, so that no
+// The receiver's own plane: every texel is compared with the depth that the plane has at the texel's center, so that no
 // reach of a filter needs a bias. The slope comes from the plane (plane_slope), or from derivatives across the screen.
 //
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
-//     float visibility = filter(umbrage::on_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
+//     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
 // In GLSL with both as globals, ahead of the filter:
 //
-//     #define STORED(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
-//     #define UMBRAGE_FETCH(map, size, texel) umbrage_on_receiver_plane(STORED(map, size, texel), slope, coord, texel)
+//     #define STORED(map, size, at) umbrage_fetch_clamped(map, size, at).x
+//     #define UMBRAGE_FETCH(map, size, at) umbrage_apply_receiver_plane(STORED(map, size, at), slope, coord, at)
 //
 
 namespace umbrage {
 
-/// The plane through a receiver and its neighbours on the screen.
+/// The plane through a receiver and its neighbors on the screen.
 ///
 /// @param dx, dy   derivatives of (x and y in texels, depth) along the screen: dFdx, dFdy, taken outside of branches
 /// @return         x, y: change of depth from one texel to the next, as plane_slope; z: how far the sum of both may be
@@ -2232,7 +2232,7 @@ namespace umbrage {
 /// @exactness      C, n = 31: divisions
 /// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> receiver_plane(glm::vec<3, T> dx, glm::vec<3, T> dy) {
+[[nodiscard]] constexpr glm::vec<3, T> receiver_plane_slope(glm::vec<3, T> dx, glm::vec<3, T> dy) {
     const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
     const T determinant = dx.x * dy.y + dx.y * -dy.x;
     const T sum = magnitude(dx.x) + magnitude(dx.y) + magnitude(dy.x) + magnitude(dy.y);
@@ -2255,8 +2255,8 @@ template <real T>
 /// @formula        stored - slope . (texel + 1/2 - coord)
 /// @exactness      B, n = 8
 template <real T>
-[[nodiscard]] constexpr T on_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord, glm::vec<2, T> texel,
-                                            T cleared = T(1)) {
+[[nodiscard]] constexpr T apply_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord,
+                                               glm::vec<2, T> texel, T cleared = T(1)) {
     const T x = texel.x + T(0.5) - coord.x, y = texel.y + T(0.5) - coord.y;
     const T before = stored - cleared;
     const bool is_cleared = before < T(0x1p-64) && before > T(-0x1p-64);
@@ -2267,25 +2267,25 @@ template <real T>
 /// @param fetch       ivec2 texel -> stored depth;   coord  that the filter is called with
 /// @param direction   of the map's depth, which says what it is cleared to
 template <std::invocable<glm::ivec2> Fetch>
-[[nodiscard]] auto on_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
-                                     depth_direction direction = depth_direction::forward) {
+[[nodiscard]] auto apply_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
+                                        depth_direction direction = depth_direction::forward) {
     return [=, cleared = cleared_depth(direction)](glm::ivec2 texel) {
-        return on_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), cleared);
+        return apply_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), cleared);
     };
 }
 
 namespace glsl {
 
-inline constexpr snippet receiver_plane{
-    .name = "receiver_plane",
+inline constexpr snippet receiver_plane_slope{
+    .name = "receiver_plane_slope",
     .summary = "slope of a receiver's plane from derivatives, and how far it may be off",
     .exactness = tier::c,
     .operations = 31,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
-// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
 //   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
-UMBRAGE_HIGHP vec3 umbrage_receiver_plane(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
+UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float along_x = dy.y * dx.z + dx.y * -dy.z;
@@ -2301,16 +2301,16 @@ UMBRAGE_HIGHP vec3 umbrage_receiver_plane(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP v
 )GLSL",
 };
 
-inline constexpr snippet on_receiver_plane{
-    .name = "on_receiver_plane",
+inline constexpr snippet apply_receiver_plane{
+    .name = "apply_receiver_plane",
     .summary = "stored depth moved along the receiver's plane to the receiver",
     .exactness = tier::b,
     .operations = 8,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
 //   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
-UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
                                               UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
@@ -2320,7 +2320,7 @@ UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAG
 )GLSL",
 };
 
-inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane, &on_receiver_plane};
+inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane_slope, &apply_receiver_plane};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2342,28 +2342,28 @@ namespace umbrage {
 /// @formula     q - [q b > a], then one more where that leaves b or more of a
 /// @exactness   A: a product of 2^24 or more is beyond a, however it rounds
 template <real T>
-[[nodiscard]] constexpr T mend_quotient(T q, T a, T b) {
+[[nodiscard]] constexpr T correct_quotient(T q, T a, T b) {
     const T low = q * b > a ? q - T(1) : q;
     return (low + T(1)) * b <= a ? low + T(1) : low;
 }
 
 /// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24;   their quotient at most 2^18
 /// @return      floor(a / b)
-/// @exactness   A: with a quotient up to 8 ulp off, less than 1 in so small a one, mend_quotient has all it needs
+/// @exactness   A: with a quotient up to 8 ulp off, less than 1 in so small a one, correct_quotient has all it needs
 template <real T>
 [[nodiscard]] T floor_divide(T a, T b) {
-    return mend_quotient(std::floor(a / b), a, b);
+    return correct_quotient(std::floor(a / b), a, b);
 }
 
 namespace glsl {
 
-inline constexpr snippet mend_quotient{
-    .name = "mend_quotient",
+inline constexpr snippet correct_quotient{
+    .name = "correct_quotient",
     .summary = "a quotient of whole numbers, from one at most one off",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
     return (low + 1.0) * b <= a ? low + 1.0 : low;
 }
@@ -2374,16 +2374,16 @@ inline constexpr snippet floor_divide{
     .name = "floor_divide",
     .summary = "whole numbers divided and rounded down, whatever the division's error",
     .exactness = tier::a,
-    .needs = list<&mend_quotient>,
+    .needs = list<&correct_quotient>,
     .source = R"GLSL(
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }
 )GLSL",
 };
 
-inline constexpr const snippet* floor_divide_snippets[]{&mend_quotient, &floor_divide};
+inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floor_divide};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2678,11 +2678,11 @@ template <real T>
 
 /// Whether a filter compares a receiver at all. Two kinds are lit without: coordinates outside texel space, and depths
 /// beyond the far plane.
-/// @param is_lit   the comparison; one without beyond_far has no far plane
+/// @param is_lit   the comparison; one without beyond_far_plane has no far plane
 /// @exactness      A
 template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
-    return inside_texel_space(coord) && !beyond_far(receiver, is_lit);
+[[nodiscard]] constexpr bool in_filter_domain(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
+    return inside_texel_space(coord) && !beyond_far_plane(receiver, is_lit);
 }
 
 /// Stored depth of a texel: the fetch callable of every filter, by name.
@@ -2752,16 +2752,16 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 )GLSL",
 };
 
-inline constexpr snippet is_compared{
-    .name = "is_compared",
+inline constexpr snippet in_filter_domain{
+    .name = "in_filter_domain",
     .summary = "receivers that a filter compares; it takes the others as lit",
     .exactness = tier::a,
-    .needs = list<&inside_texel_space, &beyond_far>,
+    .needs = list<&inside_texel_space, &beyond_far_plane>,
     .source = R"GLSL(
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 )GLSL",
 };
@@ -2842,8 +2842,8 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL",
 };
 
-inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, &inside_texel_space,
-                                                       &is_compared, &lit,      &lit_2x2};
+inline constexpr const snippet* texel_space_snippets[]{&fetch_depth,      &depth_at, &inside_texel_space,
+                                                       &in_filter_domain, &lit,      &lit_2x2};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2858,11 +2858,11 @@ inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, 
 namespace umbrage {
 
 /// Where in a code's interval [x, x + 1) * 2^-Bits a decoder answers. With the upper edge no surface shadows itself
-/// through quantisation alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
+/// through quantization alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
 template <real T>
 inline constexpr T lower_edge = T(0);
 template <real T>
-inline constexpr T centre = T(0.5);
+inline constexpr T center = T(0.5);
 template <real T>
 inline constexpr T upper_edge = T(1);
 
@@ -2879,9 +2879,9 @@ template <int Bits, real T>
 }
 
 /// @param code    0 .. 2^Bits - 1
-/// @param edge    lower_edge, centre or upper_edge
+/// @param edge    lower_edge, center or upper_edge
 /// @return        (code + edge) 2^-Bits
-/// @exactness     A, but for the centre of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
+/// @exactness     A, but for the center of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
 template <int Bits, real T>
 [[nodiscard]] constexpr T from_code(T code, T edge) {
     return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
@@ -3179,7 +3179,7 @@ UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z
 )GLSL",
 };
 
-inline constexpr const auto& kinds_snippets =
+inline constexpr const auto& conversions_snippets =
     list<&linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
          &depth_from_view_z, &view_z_from_reversed_depth, &reversed_depth_from_view_z, &view_z_from_orthographic_depth,
          &orthographic_depth_from_view_z>;
@@ -3335,10 +3335,10 @@ template <int Bits, real T>
 /// Values read from an 8-bit texture to depth.
 ///
 /// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, centre or upper_edge of the code's interval
+/// @param edge    lower_edge, center or upper_edge of the code's interval
 /// @return        depth; channels that no encoder wrote give the formula's value all the same, below 3/2
 /// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
-/// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the centre
+/// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the center
 template <int Bits, real T>
 [[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
@@ -3383,7 +3383,7 @@ template <int Bits>
 [[nodiscard]] std::string decode_rg_text() {
     return detail::filled(R"GLSL(
 // umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
@@ -3455,7 +3455,7 @@ template <int Bits, real T>
 template <int Bits, real T>
 [[nodiscard]] T receiver_rg(T depth, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
-    if (less_equal::beyond_far(depth)) return T(-1);
+    if (less_equal::beyond_far_plane(depth)) return T(-1);
     return (std::ceil(depth * T(1 << Bits) - edge) - T(0.5)) * T(1.0 / 255.0);
 }
 
@@ -3615,7 +3615,7 @@ template <real T>
 /// Values read from an 8-bit texture to depth.
 ///
 /// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge; the centre is exact in double only
+/// @param edge    lower_edge or upper_edge; the center is exact in double only
 /// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-24
 template <real T>
@@ -3679,7 +3679,7 @@ struct rgb24 {
     static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
 
     depth_direction direction = depth_direction::forward;
-    float edge = detail::safe_edge(direction);  ///< that decoding answers; the centre rounds from code 2^23 on
+    float edge = detail::safe_edge(direction);  ///< that decoding answers; the center rounds from code 2^23 on
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
@@ -3693,7 +3693,7 @@ struct rgb24 {
 // Percentage-closer filtering over a disc: 8, 16 or 32 points, turned from pixel to pixel so that no pattern shows.
 //
 //     float visibility =
-//         umbrage::disc<16>(umbrage::clamped(map), coord, depth - bias, 3.0f, umbrage::disc_turn(pixel));
+//         umbrage::disc<16>(umbrage::clamped(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
 //
 // Points, turns and radii are whole numbers, so that taps fall on the same texels everywhere. The points were annealed
 // for the least error on edges of any direction, alone and over four quarter turns.
@@ -3761,7 +3761,7 @@ private:
 /// @formula          v = 4x + y mod 16: a quarter turn floor(v / 4) times, after v mod 4 times 22.5 degrees
 /// @exactness        A
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_turn(glm::vec<2, T> pixel) {
+[[nodiscard]] glm::vec<2, T> disc_rotation(glm::vec<2, T> pixel) {
     if (!inside_texel_space(pixel)) return {T(64), T(0)};
     const glm::vec<2, T> whole = glm::floor(pixel);
     const T sum = whole.x * T(4) + whole.y;
@@ -3778,16 +3778,16 @@ template <real T>
 
 /// The texel that a point of a disc falls on.
 /// @param position   floor(256 coord) of the receiver
-/// @param p          one of disc_points;   turn  as disc_turn gives it
+/// @param p          one of disc_points;   rotation  as disc_rotation gives it
 /// @param radius     in 1/16 texel, a whole number, 0 .. 4095
 /// @formula          floor((position + turned point * radius / 64) / 256), of point (x, y) turned by (c, s):
 ///                   (c x - s y, s x + c y)
 /// @exactness        A: multiples of 2^-14 below 2^10, in any order
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> turn, T radius) {
+[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> rotation, T radius) {
     const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at);
     const glm::vec<2, T> within = glm::clamp(at - texel, T(0), T(1));  // which no grouping of sums reaches across
-    const glm::vec<2, T> scaled = turn * (radius * T(1.0 / 16384.0));
+    const glm::vec<2, T> scaled = rotation * (radius * T(1.0 / 16384.0));
     return texel +
            glm::floor(within + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y));
 }
@@ -3803,22 +3803,22 @@ template <real T>
 /// Lit share of a disc's points.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     in texels, taken down to 1/16; clamped to 0 .. 255.9375, NaN is 0
-/// @param turn       as disc_turn gives it
+/// @param rotation   as disc_rotation gives it
 /// @return           visibility, a multiple of 1 / Points: 0 in shadow, 1 lit
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> turn,
+[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> position = glm::floor(coord * T(256));
     const T rho = disc_radius(radius);
     int lit = 0;
     for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), turn, rho));
+        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), rotation, rho));
         lit += is_lit(receiver, T(fetch(texel))) ? 1 : 0;
     }
     return static_cast<T>(lit) * T(1.0 / Points);
@@ -3826,14 +3826,14 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 
 namespace glsl {
 
-inline constexpr snippet disc_turn{
-    .name = "disc_turn",
+inline constexpr snippet disc_rotation{
+    .name = "disc_rotation",
     .summary = "one of 16 turns for a pixel",
     .exactness = tier::a,
     .needs = list<&inside_texel_space>,
     .source = R"GLSL(
-// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
-UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -3841,9 +3841,9 @@ UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP float base = v - quarter * 4.0;
     UMBRAGE_HIGHP vec2 low = base < 0.5 ? vec2(64.0, 0.0) : vec2(59.0, 24.0);
     UMBRAGE_HIGHP vec2 high = base < 2.5 ? vec2(45.0, 45.0) : vec2(24.0, 59.0);
-    UMBRAGE_HIGHP vec2 turn = base < 1.5 ? low : high;
-    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? turn : vec2(0.0 - turn.y, turn.x);
-    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - turn.x, 0.0 - turn.y) : vec2(turn.y, 0.0 - turn.x);
+    UMBRAGE_HIGHP vec2 first = base < 1.5 ? low : high;
+    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? first : vec2(0.0 - first.y, first.x);
+    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - first.x, 0.0 - first.y) : vec2(first.y, 0.0 - first.x);
     return quarter < 1.5 ? once : twice;
 }
 )GLSL",
@@ -3855,14 +3855,14 @@ inline constexpr snippet disc_tap{
     .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2(x, y));
@@ -3889,18 +3889,20 @@ namespace detail {
 [[nodiscard]] inline std::string disc_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_disc$n: lit share of $n points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
 )GLSL",
                               {{'n', points}});
     for (const disc_point p : umbrage::detail::points_of_disc(points))
-        append(text, "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
+        append(text,
+               "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), rotation, rho), receiver);\n",
                {{'x', p.x}, {'y', p.y}});
     append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', points}});
     return text;
@@ -3914,10 +3916,11 @@ inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "d
                                          : Points == 16 ? "disc of 16 points, turned by the pixel"
                                                         : "disc of 32 points, turned by the pixel",
                               .exactness = tier::a,
-                              .needs = list<&is_compared, &disc_radius, &disc_tap, &lit>,
+                              .needs = list<&in_filter_domain, &disc_radius, &disc_tap, &lit>,
                               .source = {detail::disc_text, Points}};
 
-inline constexpr const snippet* disc_snippets[]{&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>};
+inline constexpr const snippet* disc_snippets[]{&disc_rotation, &disc_tap, &disc_radius,
+                                                &disc<8>,       &disc<16>, &disc<32>};
 
 }  // namespace glsl
 
@@ -3939,15 +3942,16 @@ struct rotated_disc {
         return disc_radius(radius_texels) * sixteenths * (1.0f / 256.0f);
     }
     [[nodiscard]] constexpr float reach() const {
-        const float sixteenths = points == 8 ? 13.0f : (points == 16 ? 14.0f : 15.0f);  // along an axis, in any turn
+        const float sixteenths =
+            points == 8 ? 13.0f : (points == 16 ? 14.0f : 15.0f);  // along an axis, in any rotation
         return disc_radius(radius_texels) * sixteenths * (1.0f / 256.0f) + (0.5f + 1.0f / 128.0f);
     }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 turn = disc_turn(glm::vec2(pixel));
-        if (points == 8) return umbrage::disc<8>(fetch, coord, receiver, radius_texels, turn, is_lit);
-        if (points == 16) return umbrage::disc<16>(fetch, coord, receiver, radius_texels, turn, is_lit);
-        return umbrage::disc<32>(fetch, coord, receiver, radius_texels, turn, is_lit);
+        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
+        if (points == 8) return umbrage::disc<8>(fetch, coord, receiver, radius_texels, rotation, is_lit);
+        if (points == 16) return umbrage::disc<16>(fetch, coord, receiver, radius_texels, rotation, is_lit);
+        return umbrage::disc<32>(fetch, coord, receiver, radius_texels, rotation, is_lit);
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -3969,52 +3973,53 @@ inline constexpr std::array<rotated_disc, 3> rotated_disc::values{disc<8>, disc<
 // ---- umbrage/filter/blocker/penumbra.hpp
 // How wide a penumbra is, from what lies between a receiver and the light: of suns and of spots, by one formula.
 //
-//     umbrage::light_softness soft = umbrage::make_softness(umbrage::make_light_units(light, map.size()), lamp_radius);
-//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, turn);
+//     glm::vec2 units = umbrage::make_light_units(light, map.size());
+//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
+//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, rotation);
 //     float mean = umbrage::floor_divide(found.y, found.x);  // of codes, 0 at the light
 //     float radius = umbrage::penumbra(umbrage::distance_code(receiver) - mean, glm::vec3(soft));
 //
-// A spot's z/w is linear in 1 / distance, and so is the width of its penumbrae in texels, which grow with the distance:
+// A spot's z/w is linear in 1 / distance, and so is the width of its penumbras in texels, which grow with the distance:
 // radius (1 / d_blocker - 1 / d_receiver) texels a unit at distance 1. Both sides of a division cancel, and no depth is
 // made linear. The mean of several blockers' z/w is that of their 1 / distance, whose distance is the harmonic mean:
-// penumbrae are never smaller than the mean distance would make them.
+// penumbras are never smaller than the mean distance would make them.
 
 namespace umbrage {
 
 /// What a light's size makes of distances: whole numbers, or nearly so, that keep all below exact.
-struct light_softness {
+struct penumbra_params {
     float per_code = 0.0625f;  ///< penumbra's radius in 1/16 texel, a code between blocker and receiver; 8 bits
-    float least = 16.0f;       ///< radius of the filter where blockers touch receivers, 1/16 texel, whole
-    float widest = 96.0f;      ///< of filter and search, 1/16 texel, whole, at most 4095
+    float min_radius = 16.0f;  ///< radius of the filter where blockers touch receivers, 1/16 texel, whole
+    float max_radius = 96.0f;  ///< of filter and search, 1/16 texel, whole, at most 4095
 
-    [[nodiscard]] explicit operator glm::vec3() const { return {per_code, least, widest}; }
+    [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
 };
 
 /// @param units          make_light_units of the light and the map
 /// @param light_size     radius of a spot's lamp in world units; of a directional light the tangent of half the angle
 ///                       that it is seen under, of the sun 0.00465
-/// @param least_texels   the filter's radius where a blocker touches the receiver: 1 hides the map's steps, 0 is hard
-/// @param widest_texels  wider penumbrae are cut to that, and blockers farther off are not found; with 16 points beyond
+/// @param min_radius     the filter's radius where a blocker touches the receiver: 1 hides the map's steps, 0 is hard
+/// @param max_radius     wider penumbras are cut to that, and blockers farther off are not found; with 16 points beyond
 ///                       16 texels or so noise shows
-/// @return               per_code rounded to 8 bits, by 1/256 of it at most; 0 for lights of no size: all is `least`
+/// @return               per_code rounded to 8 bits, by 1/256 of it at most; 0 for lights of no size: all is min_radius
 /// @throws std::invalid_argument  units or size that are not finite or below 0, radii that are not
-///                                0 <= least <= widest <= 255.9375
+///                                0 <= min_radius <= max_radius <= 255.9375
 /// @formula              per_code = 16 light_size / (65536 units.x units.y)
 template <real T>
-[[nodiscard]] light_softness make_softness(glm::vec<2, T> units, T light_size, T least_texels = T(1),
-                                           T widest_texels = T(16)) {
-    constexpr auto function = "make_softness";
+[[nodiscard]] penumbra_params make_penumbra_params(glm::vec<2, T> units, T light_size, T min_radius = T(1),
+                                                   T max_radius = T(16)) {
+    constexpr auto function = "make_penumbra_params";
     detail::require(is_finite(light_size) && light_size >= T(0), function, "light_size", "must be finite, not below 0");
     detail::require(detail::all_finite(units) && units.x > T(0) && units.y > T(0), function, "units",
                     "must be finite and above 0");
-    detail::require(least_texels >= T(0) && least_texels <= widest_texels && widest_texels <= T(max_disc_radius),
-                    function, "least_texels and widest_texels", "must be in order, from 0 to 255.9375");
+    detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
+                    "min_radius and max_radius", "must be in order, from 0 to 255.9375");
     const auto exact = double(light_size) / (4096.0 * double(units.x) * double(units.y));
     int exponent = 0;
     const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
     const bool counts = exponent > -24;  // else no penumbra has a 256th of a texel
     return {counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f,
-            static_cast<float>(disc_radius(least_texels)), static_cast<float>(disc_radius(widest_texels))};
+            static_cast<float>(disc_radius(min_radius)), static_cast<float>(disc_radius(max_radius))};
 }
 
 /// A depth as its distance from the near plane.
@@ -4032,9 +4037,9 @@ template <real T, class Compare = less_equal>
 
 /// Radius of a penumbra.
 /// @param apart      codes from the blocker to the receiver; whole, below 2^16, below 0 as 0
-/// @param softness   of make_softness: (per_code, least, widest)
-/// @return           in 1/16 texel, whole, from least to widest
-/// @formula          min(max(floor(apart per_code), least), widest)
+/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
+/// @return           in 1/16 texel, whole, from min_radius to max_radius
+/// @formula          min(max(floor(apart per_code), min_radius), max_radius)
 /// @exactness        A: a product of 24 bits
 template <real T>
 [[nodiscard]] T penumbra(T apart, glm::vec<3, T> softness) {
@@ -4057,16 +4062,17 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param position   floor(256 coord) of the receiver
 /// @param receiver   depth, biased as for the filter; NaN has all texels before it
 /// @param radius     in 1/16 texel, whole, 0 .. 4095
-/// @param turn       as disc_turn gives it
+/// @param rotation   as disc_rotation gives it
 /// @return           (how many, the sum of their distance_codes): whole, a NaN among texels counts as a blocker at the
 ///                   far plane
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius, glm::vec<2, T> turn,
-                                      Compare is_lit = {}) {
+[[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,
+                                      glm::vec<2, T> rotation, Compare is_lit = {}) {
     glm::vec<2, T> found(T(0), T(0));
     for (const glm::ivec2 point : disc_points<Points>)
-        found += blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), turn, radius)), receiver, is_lit);
+        found +=
+            blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), rotation, radius)), receiver, is_lit);
     return found;
 }
 
@@ -4095,7 +4101,7 @@ inline constexpr snippet penumbra{
     .source = R"GLSL(
 // umbrage_penumbra: radius in 1/16 texel, a whole number
 //   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
     return min(max(floor(apart * softness.x), softness.y), softness.z);
 }
@@ -4125,16 +4131,16 @@ namespace detail {
     std::string text = filled(R"GLSL(
 // umbrage_blockers$n: how many of a disc's $n points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                      UMBRAGE_HIGHP vec2 turn) {
+                                      UMBRAGE_HIGHP vec2 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
 )GLSL",
                               {{'n', points}});
     for (const disc_point p : umbrage::detail::points_of_disc(points))
         append(text,
-               "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), turn, radius), "
+               "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), rotation, radius), "
                "receiver);\n",
                {{'x', p.x}, {'y', p.y}});
     text += "    return n;\n}\n";
@@ -4161,7 +4167,7 @@ inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,  
 // width. Half the texels of pcss, and softer than it where a penumbra is much narrower than the light.
 //
 //     float visibility = umbrage::dpcf<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
-//                                          umbrage::disc_turn(pixel));
+//                                          umbrage::disc_rotation(pixel));
 //
 
 namespace umbrage {
@@ -4176,7 +4182,7 @@ namespace umbrage {
 /// @exactness        A: whole numbers up to 2^24, over 512 Points^3
 /// @cite             Google Filament: surface_shadowing.fs
 template <int Points, real T>
-[[nodiscard]] constexpr T hardened(T blocked, T ratio) {
+[[nodiscard]] constexpr T hardened_kernel(T blocked, T ratio) {
     constexpr T n = T(Points), cube = n * n * n;
     const T u = blocked * T(2) - n, d = n - (u < T(0) ? -u : u), steep = cube - d * d * d;
     const T hard = u < T(0) ? cube - steep : cube + steep;
@@ -4185,34 +4191,35 @@ template <int Points, real T>
 
 /// @tparam Points    8, 16 or 32
 /// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie the widest radius outside the map
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param softness   of make_softness: (per_code, least, widest)
-/// @param turn       as disc_turn gives it
+/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
+/// @param rotation   as disc_rotation gives it
 /// @return           visibility, 1 where nothing blocks, 0 where all does
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
-///                   1 - hardened(m, floor(256 penumbra(z - floor(s / m)) / w))
+///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w))
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> turn,
+[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
-    const T z = distance_code(receiver, is_lit), widest = penumbra(z, softness);
-    const glm::vec<2, T> found = blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, widest, turn, is_lit);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+    const T z = distance_code(receiver, is_lit), search_radius = penumbra(z, softness);
+    const glm::vec<2, T> found =
+        blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, search_radius, rotation, is_lit);
     const T mean = floor_divide(found.y, detail::greater(found.x, T(1)));
-    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), detail::greater(widest, T(1)));
-    return T(1) - hardened<Points>(found.x, ratio);
+    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), detail::greater(search_radius, T(1)));
+    return T(1) - hardened_kernel<Points>(found.x, ratio);
 }
 
 namespace glsl {
 namespace detail {
 
-[[nodiscard]] inline std::string hardened_text(int points) {
+[[nodiscard]] inline std::string hardened_kernel_text(int points) {
     const int n = points;
     return filled(R"GLSL(
-// umbrage_hardened$n: the share of $n points in shadow, steepened
+// umbrage_hardened_kernel$n: the share of $n points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+UMBRAGE_HIGHP float umbrage_hardened_kernel$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - $n.0;
     UMBRAGE_HIGHP float d = max($n.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     UMBRAGE_HIGHP float steep = $c.0 - d * d * d;
@@ -4226,20 +4233,20 @@ UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGH
 [[nodiscard]] inline std::string dpcf_text(int points) {
     return filled(R"GLSL(
 // umbrage_dpcf$n: contact hardening by $n points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
-                                   UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
-    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    UMBRAGE_HIGHP float dark = umbrage_hardened$n(found.x, ratio);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened_kernel$n(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 )GLSL",
@@ -4249,10 +4256,11 @@ UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 }  // namespace detail
 
 template <int Points>
-inline constexpr snippet hardened{.name = Points == 8 ? "hardened8" : (Points == 16 ? "hardened16" : "hardened32"),
-                                  .summary = "a disc's share in shadow, steepened",
-                                  .exactness = tier::a,
-                                  .source = {detail::hardened_text, Points}};
+inline constexpr snippet hardened_kernel{
+    .name = Points == 8 ? "hardened_kernel8" : (Points == 16 ? "hardened_kernel16" : "hardened_kernel32"),
+    .summary = "a disc's share in shadow, steepened",
+    .exactness = tier::a,
+    .source = {detail::hardened_kernel_text, Points}};
 
 template <int Points>
 inline constexpr snippet dpcf{
@@ -4261,11 +4269,12 @@ inline constexpr snippet dpcf{
                : Points == 16 ? "contact hardening by 16 points"
                               : "contact hardening by 32 points",
     .exactness = tier::a,
-    .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened<Points>>,
+    .needs =
+        list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened_kernel<Points>>,
     .source = {detail::dpcf_text, Points}};
 
-inline constexpr const snippet* dpcf_snippets[]{&hardened<8>, &hardened<16>, &hardened<32>,
-                                                &dpcf<8>,     &dpcf<16>,     &dpcf<32>};
+inline constexpr const snippet* dpcf_snippets[]{
+    &hardened_kernel<8>, &hardened_kernel<16>, &hardened_kernel<32>, &dpcf<8>, &dpcf<16>, &dpcf<32>};
 
 }  // namespace glsl
 
@@ -4274,7 +4283,7 @@ namespace filters {
 /// The filter as a value; functions over images turn it from pixel to pixel.
 struct dpcf {
     int points = 16;  ///< 8, 16 or 32
-    light_softness softness{};
+    penumbra_params softness{};
     comparison is_lit{};
     literal name = "dpcf16";
     const glsl::snippet* snippet = &glsl::dpcf<16>;
@@ -4282,17 +4291,19 @@ struct dpcf {
     static const std::array<dpcf, 3> values;
 
     /// The disc of the widest radius.
-    [[nodiscard]] constexpr rotated_disc widest() const { return {points, softness.widest * 0.0625f, is_lit}; }
+    [[nodiscard]] constexpr rotated_disc largest_disc() const {
+        return {points, softness.max_radius * 0.0625f, is_lit};
+    }
     /// From a receiver to the farthest point, in texels.
-    [[nodiscard]] constexpr float farthest_point() const { return widest().farthest_point(); }
-    [[nodiscard]] constexpr float reach() const { return widest().reach(); }
+    [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
+    [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 turn = disc_turn(glm::vec2(pixel));
+        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
         const glm::vec3 soft(softness);
-        if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, turn, is_lit);
-        if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, turn, is_lit);
-        return umbrage::dpcf<32>(fetch, coord, receiver, soft, turn, is_lit);
+        if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, rotation, is_lit);
+        if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, rotation, is_lit);
+        return umbrage::dpcf<32>(fetch, coord, receiver, soft, rotation, is_lit);
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -4307,22 +4318,23 @@ inline constexpr std::array<dpcf, 3> dpcf::values{{{8, {}, {}, "dpcf8", &glsl::d
 // ---- umbrage/filter/blocker/pcss.hpp
 // Percentage-closer soft shadows: hard where a caster touches what it shadows, softer the farther it is.
 //
-//     umbrage::light_softness soft = umbrage::make_softness(umbrage::make_light_units(light, map.size()), lamp_radius);
+//     glm::vec2 units = umbrage::make_light_units(light, map.size());
+//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
 //     float visibility = umbrage::pcss<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
-//                                          umbrage::disc_turn(pixel));
+//                                          umbrage::disc_rotation(pixel));
 //
 // A disc as wide as the light, seen from the receiver, is searched for blockers; their mean distance gives the
-// penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, turn and bias:
-// one that is acne-free for the widest radius is so for all.
+// penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, rotation and
+// bias: one that is acne-free for the widest radius is so for all.
 
 namespace umbrage {
 
 /// @tparam Points    8, 16 or 32, of the search and of the filter
 /// @param fetch      ivec2 texel -> stored depth; called twice Points times, texels may lie the widest radius outside
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param softness   of make_softness: (per_code, least, widest)
-/// @param turn       as disc_turn gives it
+/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
+/// @param rotation   as disc_rotation gives it
 /// @return           visibility, a multiple of 1 / Points; 1 where the search finds no blocker, as for a receiver at
 ///                   the near plane; where all it finds blocks, the filter decides all the same
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
@@ -4332,15 +4344,15 @@ namespace umbrage {
 /// @exactness        A
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> turn,
+[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const T z = distance_code(receiver, is_lit);
     const glm::vec<2, T> found =
-        blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, penumbra(z, softness), turn, is_lit);
+        blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, penumbra(z, softness), rotation, is_lit);
     if (!(found.x > T(0))) return T(1);
     const T radius = penumbra(z - floor_divide(found.y, found.x), softness);
-    return disc<Points>(fetch, coord, receiver, radius * T(0.0625), turn, is_lit);
+    return disc<Points>(fetch, coord, receiver, radius * T(0.0625), rotation, is_lit);
 }
 
 namespace glsl {
@@ -4349,20 +4361,20 @@ namespace detail {
 [[nodiscard]] inline std::string pcss_text(int points) {
     return filled(R"GLSL(
 // umbrage_pcss$n: percentage-closer soft shadows, $n points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
-                                   UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
-    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 )GLSL",
                   {{'n', points}});
@@ -4377,7 +4389,7 @@ inline constexpr snippet pcss{
                : Points == 16 ? "percentage-closer soft shadows, 16 points twice"
                               : "percentage-closer soft shadows, 32 points twice",
     .exactness = tier::a,
-    .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
+    .needs = list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
     .source = {detail::pcss_text, Points}};
 
 inline constexpr const snippet* pcss_snippets[]{&pcss<8>, &pcss<16>, &pcss<32>};
@@ -4389,7 +4401,7 @@ namespace filters {
 /// The filter as a value; functions over images turn it from pixel to pixel.
 struct pcss {
     int points = 16;  ///< 8, 16 or 32
-    light_softness softness{};
+    penumbra_params softness{};
     comparison is_lit{};
     literal name = "pcss16";
     const glsl::snippet* snippet = &glsl::pcss<16>;
@@ -4397,17 +4409,19 @@ struct pcss {
     static const std::array<pcss, 3> values;
 
     /// The disc of the widest radius.
-    [[nodiscard]] constexpr rotated_disc widest() const { return {points, softness.widest * 0.0625f, is_lit}; }
+    [[nodiscard]] constexpr rotated_disc largest_disc() const {
+        return {points, softness.max_radius * 0.0625f, is_lit};
+    }
     /// From a receiver to the farthest point, in texels.
-    [[nodiscard]] constexpr float farthest_point() const { return widest().farthest_point(); }
-    [[nodiscard]] constexpr float reach() const { return widest().reach(); }
+    [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
+    [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 turn = disc_turn(glm::vec2(pixel));
+        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
         const glm::vec3 soft(softness);
-        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, turn, is_lit);
-        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, turn, is_lit);
-        return umbrage::pcss<32>(fetch, coord, receiver, soft, turn, is_lit);
+        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, is_lit);
+        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, is_lit);
+        return umbrage::pcss<32>(fetch, coord, receiver, soft, rotation, is_lit);
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -4424,7 +4438,7 @@ inline constexpr std::array<pcss, 3> pcss::values{{{8, {}, {}, "pcss8", &glsl::p
 //
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(map), coord, depth - bias);
 //
-// pcf_2x2 quantises the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
+// pcf_2x2 quantizes the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
 // DirectX SDK sample's form in plain floats.
 
 namespace umbrage {
@@ -4432,7 +4446,7 @@ namespace umbrage {
 /// Share of a receiver that is lit, from the four nearest texels, each compared and then weighted.
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times, texels may lie one outside the map
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
 /// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
@@ -4440,8 +4454,8 @@ namespace umbrage {
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centers, in 1/256 texel
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
     // Weights of the farther texels are in [0, 1) already; compilers cannot regroup sums across the clamp.
     const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1));
@@ -4451,11 +4465,11 @@ template <real T, class Fetch, class Compare = less_equal>
 }
 
 /// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
-/// Direct3D 9 putting pixel centres at whole numbers; here coord is as everywhere else, and the half texel is taken
+/// Direct3D 9 putting pixel centers at whole numbers; here coord is as everywhere else, and the half texel is taken
 /// off.
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, not biased; beyond 1: lit
 /// @param epsilon    in depth, added to the stored side of each comparison
 /// @return           visibility, 0 in shadow, 1 lit
@@ -4464,7 +4478,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @cite             Microsoft DirectX SDK, ShadowMap sample
 template <real T, class Fetch>
 [[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
-    if (!is_compared(coord, receiver)) return T(1);
+    if (!in_filter_domain(coord, receiver)) return T(1);
     const glm::vec<2, T> x = coord - T(0.5);
     const glm::vec<2, T> texel = glm::floor(x);
     const glm::vec<2, T> weight = x - texel;
@@ -4483,14 +4497,14 @@ inline constexpr snippet pcf_2x2{
     .name = "pcf_2x2",
     .summary = "bilinear 2x2, weights in steps of 1/256",
     .exactness = tier::a,
-    .needs = list<&is_compared, &lit_2x2>,
+    .needs = list<&in_filter_domain, &lit_2x2>,
     .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                     UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -4508,14 +4522,14 @@ inline constexpr snippet pcf_2x2_dx_sdk{
     .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats",
     .exactness = tier::b,
     .operations = 20,
-    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>,
+    .needs = list<&compare_dx_sdk, &in_filter_domain, &fetch_depth>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
@@ -4655,17 +4669,17 @@ inline constexpr snippet pcf_2x2_hardware{
     .summary = "2x2 by a comparison sampler with a linear filter",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &before_far, &lit_at>,
+    .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL",
@@ -4680,7 +4694,7 @@ inline constexpr const snippet* pcf_2x2_hardware_snippets[]{&lit_filtered, &lit_
 // A disc by the sampler: each point is a look-up that compares four texels and weighs them.
 //
 //     float visibility = umbrage::disc_hardware<16>(umbrage::clamped(map), coord, depth - bias, 3.0f,
-//                                                   umbrage::disc_turn(pixel));
+//                                                   umbrage::disc_rotation(pixel));
 //
 // Maps and samplers are as for pcf_2x2_hardware.hpp. Points lie where they fall, between texels, as the sampler weighs
 // them anyway: nothing is rounded, so that a point costs little more than its look-up.
@@ -4695,34 +4709,34 @@ template <real T>
 
 /// Where a point of a disc lies.
 /// @param coord    the disc's middle, in texels
-/// @param p        one of disc_points;   turn  as disc_turn gives it
+/// @param p        one of disc_points;   rotation  as disc_rotation gives it
 /// @param radius   in texels
 /// @formula        coord + turned point * radius / 1024, of point (x, y) turned by (c, s): (c x - s y, s x + c y)
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<2, T> turn, T radius) {
-    const glm::vec<2, T> scaled = turn * (radius * T(1.0 / 1024.0));
+[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<2, T> rotation, T radius) {
+    const glm::vec<2, T> scaled = rotation * (radius * T(1.0 / 1024.0));
     return coord + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y);
 }
 
 /// Mean of pcf_2x2 over a disc's points.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      ivec2 texel -> stored depth; called 4 Points times, texels may lie a radius and one outside
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
-/// @param turn       as disc_turn gives it
+/// @param rotation   as disc_rotation gives it
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          mean of pcf_2x2(disc_position) over disc_points
 /// @exactness        C, within 1/128 in a shader as pcf_2x2_hardware: the mean is off by no more than each of its parts
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> turn,
+[[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
                               Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const T rho = clamped_disc_radius(radius);
     T sum = T(0);
     for (const glm::ivec2 point : disc_points<Points>)
-        sum += lit_filtered(fetch, disc_position(coord, glm::vec<2, T>(point), turn, rho), receiver, is_lit);
+        sum += lit_filtered(fetch, disc_position(coord, glm::vec<2, T>(point), rotation, rho), receiver, is_lit);
     return sum * T(1.0 / Points);
 }
 
@@ -4732,17 +4746,17 @@ namespace detail {
 
 /// What every text over a disc's points in uv begins with, from its head's closing brace on.
 inline constexpr const char* disc_in_uv = R"GLSL(
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
 )GLSL";
 
-/// `text` with the point's place in uv: centre + x $x + y $y.
+/// `text` with the point's place in uv: center + x $x + y $y.
 inline void append_point(std::string& text, disc_point p, const char* before, const char* after) {
     text += before;
-    append(text, "centre $s x * $x.0 $t y * $y.0",
+    append(text, "center $s x * $x.0 $t y * $y.0",
            {{'s', 0, p.x < 0 ? "-" : "+"},
             {'x', p.x < 0 ? -p.x : p.x},
             {'t', 0, p.y < 0 ? "-" : "+"},
@@ -4753,17 +4767,18 @@ inline void append_point(std::string& text, disc_point p, const char* before, co
 [[nodiscard]] inline std::string disc_hardware_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_disc_hardware$n: $n points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                            UMBRAGE_HIGHP vec2 turn) {)GLSL",
+                                            UMBRAGE_HIGHP vec2 rotation) {)GLSL",
                               {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
     for (const disc_point p : umbrage::detail::points_of_disc(points))
         append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
-    append(text, R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / $n.0) : 0.0;
+    append(text,
+           R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / $n.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL",
@@ -4781,7 +4796,7 @@ inline constexpr snippet disc_hardware{
                               : "disc of 32 points by one",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &before_far, &lit_at>,
+    .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
     .source = {detail::disc_hardware_text, Points}};
 
 inline constexpr const snippet* disc_hardware_snippets[]{&lit_at, &disc_hardware<8>, &disc_hardware<16>,
@@ -4795,16 +4810,17 @@ inline constexpr const snippet* disc_hardware_snippets[]{&lit_at, &disc_hardware
 // pcss.hpp, which has the same bits everywhere.
 //
 //     float visibility = umbrage::pcss_hardware<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
-//                                                   umbrage::disc_turn(pixel));
+//                                                   umbrage::disc_rotation(pixel));
 //
 // A shader binds one texture twice: to a sampler of the nearest texel, from which the search reads depths
 // (texture::depth with gather set, which says that there is one), and to one that compares and filters:
 //
-//     vec2 turn = umbrage_disc_turn(gl_FragCoord.xy);
+//     vec2 rotation = umbrage_disc_rotation(gl_FragCoord.xy);
 //     float search = umbrage_pcss_radius(vec2(0.0, 0.0), receiver, soft);
-//     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, turn);
+//     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, rotation);
 //     float radius = umbrage_pcss_radius(found, receiver, soft);
-//     float visibility = found.x > 0.5 ? umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, turn) : 1.0;
+//     float visibility = 1.0;
+//     if (found.x > 0.5) visibility = umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, rotation);
 //
 // Points of the search within a rounding of a texel's border may read the texel beside it.
 
@@ -4826,20 +4842,20 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param coord      receiver in texels; outside texel space, or NaN: none found
 /// @param receiver   depth, biased as for the filter; beyond the far plane: none found; NaN has all before it
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
-/// @param turn       as disc_turn gives it; not a number: none found
+/// @param rotation   as disc_rotation gives it; not a number: none found
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
 /// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
-                                               glm::vec<2, T> turn, Compare is_lit = {}) {
+                                               glm::vec<2, T> rotation, Compare is_lit = {}) {
     glm::vec<2, T> found(T(0), T(0));
-    if (!is_compared(coord, receiver, is_lit)) return found;
+    if (!in_filter_domain(coord, receiver, is_lit)) return found;
     const T rho = clamped_disc_radius(radius);
     for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::vec<2, T> at = disc_position(coord, glm::vec<2, T>(point), turn, rho);
+        const glm::vec<2, T> at = disc_position(coord, glm::vec<2, T>(point), rotation, rho);
         const T reached = glm::abs(at.x) + glm::abs(at.y);
-        if (is_nan(reached) || reached >= T(1 << 17)) continue;  // no turn that disc_turn gives
+        if (is_nan(reached) || reached >= T(1 << 17)) continue;  // no rotation that disc_rotation gives
         const auto stored = T(fetch(glm::ivec2(glm::floor(at))));
         if (!is_lit(receiver, stored)) found += glm::vec<2, T>(T(1), stored);
     }
@@ -4849,8 +4865,8 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// Radius of the penumbra that blockers leave at a receiver; without a blocker, (0, 0), that of one at the near plane,
 /// beyond which no search needs to look.
 /// @param found      (how many, the sum of their depths)
-/// @param softness   of make_softness: (per_code, least, widest)
-/// @return           in texels, from least / 16 to widest / 16; the former for what is NaN
+/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
+/// @return           in texels, from min_radius / 16 to max_radius / 16; the former for what is NaN
 /// @formula          |receiver - mean| 4096 per_code, clamped
 /// @exactness        C, n = 6: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
@@ -4859,28 +4875,28 @@ template <real T, class Compare = less_equal>
     const bool forward = is_lit(T(0), T(1));
     const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
     const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
-    const T least = softness.y * T(0.0625);
-    return radius > least ? detail::lesser(radius, softness.z * T(0.0625)) : least;
+    const T min_radius = softness.y * T(0.0625);
+    return radius > min_radius ? detail::lesser(radius, softness.z * T(0.0625)) : min_radius;
 }
 
 /// @tparam Points    8, 16 or 32, of the search and of the filter
 /// @param fetch      ivec2 texel -> stored depth; called up to 5 Points times
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param softness   of make_softness: (per_code, least, widest)
-/// @param turn       as disc_turn gives it
+/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
+/// @param rotation   as disc_rotation gives it
 /// @return           visibility, 0 in shadow, 1 lit; 1 where the search finds no blocker
 /// @formula          disc_hardware(pcss_radius(blockers_hardware(pcss_radius(none))))
 /// @exactness        C, where blockers' texels are the same: 1/128 and what the radius is off by
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcss_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness,
-                              glm::vec<2, T> turn, Compare is_lit = {}) {
+                              glm::vec<2, T> rotation, Compare is_lit = {}) {
     const T search = pcss_radius(glm::vec<2, T>(T(0), T(0)), receiver, softness, is_lit);
-    const auto found = blockers_hardware<Points>(fetch, coord, receiver, search, turn, is_lit);
+    const auto found = blockers_hardware<Points>(fetch, coord, receiver, search, rotation, is_lit);
     if (!(found.x > T(0))) return T(1);
     const T radius = pcss_radius(found, receiver, softness, is_lit);
-    return disc_hardware<Points>(fetch, coord, receiver, radius, turn, is_lit);
+    return disc_hardware<Points>(fetch, coord, receiver, radius, rotation, is_lit);
 }
 
 namespace glsl {
@@ -4911,14 +4927,14 @@ inline constexpr snippet pcss_radius{
     .source = R"GLSL(
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
                                         UMBRAGE_HIGHP vec3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
     UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    UMBRAGE_HIGHP float least = softness.y * 0.0625;
-    return radius > least ? min(radius, softness.z * 0.0625) : least;
+    UMBRAGE_HIGHP float min_radius = softness.y * 0.0625;
+    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
 }
 )GLSL",
 };
@@ -4928,11 +4944,11 @@ namespace detail {
 [[nodiscard]] inline std::string blockers_hardware_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_blockers_hardware$n: of the texels at $n points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                               UMBRAGE_HIGHP vec2 turn) {)GLSL",
+                                               UMBRAGE_HIGHP vec2 rotation) {)GLSL",
                               {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n";
@@ -4952,7 +4968,7 @@ inline constexpr snippet blockers_hardware{
                               : "the same at 32 points",
     .exactness = tier::c,
     .operations = 24,
-    .needs = list<&is_compared, &blocker_at>,
+    .needs = list<&in_filter_domain, &blocker_at>,
     .source = {detail::blockers_hardware_text, Points}};
 
 inline constexpr const snippet* pcss_hardware_snippets[]{&blocker_at, &pcss_radius, &blockers_hardware<8>,
@@ -4985,7 +5001,7 @@ namespace umbrage {
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T bounds_lit(Fetch&& bounds, glm::vec<2, T> coord, T receiver, glm::vec<2, T> place,
                            Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> b(bounds(glm::ivec2(glm::floor((glm::floor(coord * T(256)) + place.x) * place.y))));
     const T all = compare(receiver, b.x, is_lit), some = compare(receiver, b.y, is_lit);
     return all == some && !is_nan(b.x) && !is_nan(b.y) && b.x <= b.y ? all : T(-1);
@@ -4997,14 +5013,14 @@ inline constexpr snippet bounds_lit{
     .name = "bounds_lit",
     .summary = "visibility where bounds of a filter's texels suffice",
     .exactness = tier::a,
-    .needs = list<&is_compared, &compare, &fetch_clamped>,
+    .needs = list<&in_filter_domain, &compare, &fetch_clamped>,
     .source = R"GLSL(
 // umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
 //   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
 //   coord, receiver  as the filter takes them
 UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 place) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
     UMBRAGE_HIGHP float all = umbrage_compare(receiver, b.x);
@@ -5033,7 +5049,7 @@ inline constexpr int max_box_radius = 8;
 /// Number of lit texels in the box around the receiver's own.
 ///
 /// @param fetch      ivec2 texel -> stored depth; called (2r+1)^2 times, texels may lie r outside the map
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: all lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     r, clamped to 0..8
 /// @return           0 .. (2r+1)^2
@@ -5043,7 +5059,7 @@ inline constexpr int max_box_radius = 8;
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T box_count(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
     const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
-    if (!is_compared(coord, receiver, is_lit)) return T((2 * r + 1) * (2 * r + 1));
+    if (!in_filter_domain(coord, receiver, is_lit)) return T((2 * r + 1) * (2 * r + 1));
     const glm::ivec2 texel(glm::floor(coord));
     int count = 0;
     for (int j = -r; j <= r; ++j)
@@ -5083,16 +5099,16 @@ inline constexpr snippet box_count{
     .name = "box_count",
     .summary = "lit texels in a box of radius 0..8",
     .exactness = tier::a,
-    .needs = list<&is_compared, &lit>,
+    .needs = list<&in_filter_domain, &lit>,
     .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
 UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                       UMBRAGE_HIGHP float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 first = compared ? floor(coord) - float(r) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float count = 0.0;
     for (int j = 0; j < 17; j++) {
@@ -5209,7 +5225,7 @@ template <real T, class Fetch, class Compare = less_equal>
     const std::array<glm::vec<2, T>, 4> texels{glm::floor(a), glm::floor(b), glm::floor(c), glm::floor(d)};
     const glm::vec<2, T> sum = glm::abs(texels[0]) + glm::abs(texels[1]) + glm::abs(texels[2]) + glm::abs(texels[3]);
     const auto inside = [](T v) { return !is_nan(v) && v < T(1 << 17); };
-    if (!inside(sum.x) || !inside(sum.y) || beyond_far(receiver, is_lit)) return T(1);
+    if (!inside(sum.x) || !inside(sum.y) || beyond_far_plane(receiver, is_lit)) return T(1);
     T count(0);
     for (const glm::vec<2, T>& texel : texels) count += lit(fetch, glm::ivec2(texel), receiver, is_lit);
     return count * T(0.25);
@@ -5221,7 +5237,7 @@ inline constexpr snippet four_tap{
     .name = "four_tap",
     .summary = "mean of four taps with coordinates of their own",
     .exactness = tier::a,
-    .needs = list<&lit, &beyond_far>,
+    .needs = list<&lit, &beyond_far_plane>,
     .source = R"GLSL(
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
@@ -5235,7 +5251,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     UMBRAGE_HIGHP vec2 d_texel = floor(d);
     UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
                                 umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;
@@ -5298,7 +5314,7 @@ template <real T, class Fetch, class Compare = less_equal>
                                   glm::vec<2, T> c, glm::vec<2, T> d, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> sum = (glm::abs(a) + glm::abs(b) + glm::abs(c) + glm::abs(d)) * size;
     const T reached = sum.x + sum.y;
-    if (is_nan(reached) || reached >= T(1 << 17) || beyond_far(receiver, is_lit)) return T(1);
+    if (is_nan(reached) || reached >= T(1 << 17) || beyond_far_plane(receiver, is_lit)) return T(1);
     T count(0);
     for (const glm::vec<2, T>& uv : {a, b, c, d}) count += compare(receiver, depth_at(fetch, size, uv), is_lit);
     return count * T(0.25);
@@ -5311,7 +5327,7 @@ inline constexpr snippet four_tap_hardware{
     .summary = "mean of four taps that a sampler of the nearest texel takes",
     .exactness = tier::c,
     .operations = 39,
-    .needs = list<&beyond_far, &compare, &depth_at>,
+    .needs = list<&beyond_far_plane, &compare, &depth_at>,
     .source = R"GLSL(
 // umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
@@ -5320,7 +5336,7 @@ UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
                                               UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
                                               UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x + sum.y < 131072.0;
     UMBRAGE_HIGHP float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
                                 umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
                                 umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
@@ -5344,7 +5360,7 @@ inline constexpr const snippet* four_tap_hardware_snippets[]{&four_tap_hardware}
 namespace umbrage {
 
 /// @param fetch      ivec2 texel -> stored depth; called once
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return           1 lit, 0 in shadow
 /// @formula          [receiver <= fetch(floor(coord))]
@@ -5352,7 +5368,7 @@ namespace umbrage {
 /// @cite             Williams: Casting curved shadows on curved surfaces, SIGGRAPH 1978
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T hard(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     return lit(fetch, glm::ivec2(glm::floor(coord)), receiver, is_lit);
 }
 
@@ -5362,14 +5378,14 @@ inline constexpr snippet hard{
     .name = "hard",
     .summary = "nearest texel, one test",
     .exactness = tier::a,
-    .needs = list<&is_compared, &lit>,
+    .needs = list<&in_filter_domain, &lit>,
     .source = R"GLSL(
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
     UMBRAGE_HIGHP float lit = umbrage_lit(map, size, texel, receiver);
     return compared ? lit : 1.0;
@@ -5503,7 +5519,7 @@ template <real T>
 ///                |tc| is the greatest: along the next face's axis
 /// @exactness     A: whole numbers
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_neighbour(glm::vec<3, T> texel, T size) {
+[[nodiscard]] constexpr glm::vec<3, T> cube_neighbor(glm::vec<3, T> texel, T size) {
     const T u = texel.x * T(2) + T(1) - size, v = texel.y * T(2) + T(1) - size;
     const bool beyond_u = (u > size) || (u < -size);
     const bool beyond_v = (v > size) || (v < -size);
@@ -5615,15 +5631,15 @@ UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGH
 )GLSL",
 };
 
-inline constexpr snippet cube_neighbour{
-    .name = "cube_neighbour",
+inline constexpr snippet cube_neighbor{
+    .name = "cube_neighbor",
     .summary = "texel beyond an edge of a cube's face",
     .exactness = tier::a,
     .needs = list<&cube_plane, &cube_point>,
     .source = R"GLSL(
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-UMBRAGE_HIGHP vec3 umbrage_cube_neighbour(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
+UMBRAGE_HIGHP vec3 umbrage_cube_neighbor(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = abs(uv.x) > size;
     bool beyond_v = abs(uv.y) > size;
@@ -5648,8 +5664,8 @@ UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP flo
 )GLSL",
 };
 
-inline constexpr const snippet* cube_map_snippets[]{&cube_face,       &cube_view_z,    &cube_plane,     &cube_point,
-                                                    &cube_coordinate, &cube_direction, &cube_neighbour, &cube_tile};
+inline constexpr const snippet* cube_map_snippets[]{&cube_face,       &cube_view_z,    &cube_plane,    &cube_point,
+                                                    &cube_coordinate, &cube_direction, &cube_neighbor, &cube_tile};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5678,7 +5694,7 @@ namespace umbrage {
 /// @exactness     A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> cube_lit(Fetch&& fetch, T size, glm::vec<3, T> texel, T receiver, Compare is_lit = {}) {
-    const glm::vec<3, T> n = cube_neighbour(texel, size);
+    const glm::vec<3, T> n = cube_neighbor(texel, size);
     if (n.z < T(0)) return {T(0), T(0)};
     const glm::ivec2 first = cube_tile(static_cast<int>(n.z), static_cast<int>(size));
     return {lit(fetch, first + glm::ivec2(n), receiver, is_lit), T(1)};
@@ -5697,7 +5713,7 @@ template <real T, class Fetch, class Compare = less_equal>
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> coord(at);
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256) + T(0.5)) - T(128);
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
     const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)), lo = T(1) - hi;
@@ -5717,14 +5733,14 @@ inline constexpr snippet cube_lit{
     .name = "cube_lit",
     .summary = "one comparison with a texel of a cube",
     .exactness = tier::a,
-    .needs = list<&cube_neighbour, &cube_tile, &lit>,
+    .needs = list<&cube_neighbor, &cube_tile, &lit>,
     .source = R"GLSL(
 // umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
                                     UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float side = size.y * 0.5;
-    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbour(texel, side);
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbor(texel, side);
     UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
     UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
     return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
@@ -5737,7 +5753,7 @@ inline constexpr snippet pcf_2x2_cube{
     .summary = "2 x 2 comparisons of a cube, over its edges too, bilinear weights",
     .exactness = tier::c,
     .operations = 33,
-    .needs = list<&is_compared, &cube_lit>,
+    .needs = list<&in_filter_domain, &cube_lit>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
 //   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
@@ -5745,7 +5761,7 @@ inline constexpr snippet pcf_2x2_cube{
 UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -5776,7 +5792,7 @@ inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube
 // In a shader a window asks for 2 x 2 texels at a time: bound to a map with `gather`, one of 3 x 3 weights takes 4
 // gathers, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
 //
-// A window of n x n weights touches n + 1 texels an axis: each texel has its own weight and that of its neighbour, as
+// A window of n x n weights touches n + 1 texels an axis: each texel has its own weight and that of its neighbor, as
 // much of either as the window has moved. The library's rows of weights are in windows.hpp.
 
 namespace umbrage {
@@ -5847,7 +5863,7 @@ constexpr void window_weights(const window_row& row, int moved, T* weights) {
 ///
 /// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
 ///                   as half of them
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: all lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param row        as make_window_row makes it
 /// @return           0 .. row.whole^2
@@ -5858,7 +5874,7 @@ template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                            Compare is_lit = {}) {
     const T whole = static_cast<T>(row.whole);
-    if (!is_compared(coord, receiver, is_lit)) return whole * whole;
+    if (!in_filter_domain(coord, receiver, is_lit)) return whole * whole;
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(row.size % 2 ? 128 : 0);
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), moved = x - texel * T(256);
     const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
@@ -5905,7 +5921,7 @@ constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : 
     const char *const quads[] = {"a", "b", "c", "d"}, *const lanes[] = {"x", "y", "z", "w"};
     std::string text = filled(R"GLSL(
 // umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k$m   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
@@ -5915,7 +5931,7 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
                               {{'n', size}, {'m', middle}});
     for (int i = 2; i <= middle; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
     text += R"GLSL() {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -5956,7 +5972,7 @@ inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size ==
                                                : Size == 5 ? "weighted count of lit texels under a window of 5 x 5"
                                                            : "weighted count of lit texels under a window of 7 x 7",
                                     .exactness = tier::a,
-                                    .needs = list<&is_compared, &lit_2x2>,
+                                    .needs = list<&in_filter_domain, &lit_2x2>,
                                     .source = {detail::window_sum_text, Size}};
 
 inline constexpr const snippet* window_snippets[]{&window_sum<3>, &window_sum<5>, &window_sum<7>};
@@ -5984,7 +6000,7 @@ namespace umbrage {
 ///
 /// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
 ///                   as half of them
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param row        of weights above zero, 3, 5 or 7 in a shader; its steps, and that it is quadratic, do not count
 /// @return           visibility, 0 in shadow, 1 lit
@@ -5996,7 +6012,7 @@ namespace umbrage {
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                                 Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = coord - T(row.size % 2 ? 0.5 : 0.0), texel = glm::floor(x), s = x - texel;
     const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
     const auto weight = [&](int i, T moved) {
@@ -6043,7 +6059,7 @@ namespace detail {
 [[nodiscard]] inline std::string window_hardware_text(int size) {
     std::string text = filled(R"GLSL(
 // umbrage_window_hardware$n: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k$m  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
@@ -6051,7 +6067,7 @@ UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
                               {{'n', size}, {'m', size / 2}});
     for (int i = 2; i <= size / 2; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
     text += R"GLSL() {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_HIGHP vec2 s = x - texel;
@@ -6073,7 +6089,7 @@ UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
         append(text, "    n += w$j.y * row;\n", {{'j', j}});
     }
     text += R"GLSL(    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL";
@@ -6090,7 +6106,7 @@ inline constexpr snippet window_hardware{
                            : "window of 7 x 7 by 16 of them",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &before_far, &lit_at>,
+    .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
     .source = {detail::window_hardware_text, Size}};
 
 inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, &window_hardware<5>,
@@ -6114,7 +6130,7 @@ inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, 
 namespace umbrage {
 
 /// Rows with weights in sixteenths, so that what they add up to is a power of two. tent_row: each weight one step from
-/// its neighbours.
+/// its neighbors.
 template <int Size>
 inline constexpr window_row tent_row = [] {
     static_assert(Size == 2 || Size == 3 || Size == 7, "of other sizes the weights add up to no power of two");
@@ -6187,7 +6203,7 @@ namespace detail {
                                              std::string_view share = "clamp(n * (1.0 / 16777216.0), 0.0, 1.0)") {
     return filled(R"GLSL(
 // umbrage_$f$n: lit share under $n x $n weights, $w, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
@@ -6198,16 +6214,16 @@ UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
                   {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
 }
 
-/// Of the windows of 3 x 3 texels: what the neighbours before and behind weigh, in 1/4096.
+/// Of the windows of 3 x 3 texels: what the neighbors before and behind weigh, in 1/4096.
 [[nodiscard]] inline std::string text_3x3(std::string_view name, std::string_view what, std::string_view before,
                                           std::string_view behind) {
     return filled(R"GLSL(
 // umbrage_$f: lit share of 3 x 3 texels, $w; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -6233,7 +6249,7 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
 template <int Size>
 inline constexpr const auto& window_needs = list<&window_sum<Size>>;
 template <>
-inline constexpr const auto& window_needs<2> = list<&is_compared, &lit_2x2>;
+inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>;
 
 }  // namespace detail
 
@@ -6505,7 +6521,7 @@ inline constexpr const snippet* exp2_snippets[]{&power_of_two, &exp2_polynomial,
 // cut off the light that it lets through.
 //
 //     float lit = umbrage::chebyshev(moments, receiver, 1e-6f);
-//     lit = umbrage::bleed_cut(lit, 0.2f);
+//     lit = umbrage::reduce_light_bleeding(lit, 0.2f);
 //
 // Before the cut no receiver is darker than the share of depths that light it. Behind casters that lie behind each
 // other it is lighter: at a distance b behind the farther of two that are a apart by up to (a / (a + 2 b))^2.
@@ -6517,7 +6533,7 @@ namespace umbrage {
 /// @formula         1 - depth where depth is reversed, else depth
 /// @exactness       B, n = 1
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T forward_depth(T depth, T cleared = T(1)) {
+[[nodiscard]] UMBRAGE_INLINE constexpr T to_forward_depth(T depth, T cleared = T(1)) {
     return detail::pick(cleared < T(0.5), T(1) - depth, depth);
 }
 
@@ -6548,22 +6564,22 @@ template <real T>
 /// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
 /// @exactness         C, n = 5: a division
 template <real T>
-[[nodiscard]] constexpr T bleed_cut(T visibility, T amount) {
+[[nodiscard]] constexpr T reduce_light_bleeding(T visibility, T amount) {
     const bool above = !is_nan(visibility) && !is_nan(amount) && visibility > amount;
     return above ? (visibility - amount) / (T(1) - amount) : T(0);
 }
 
 namespace glsl {
 
-inline constexpr snippet forward_depth{
-    .name = "forward_depth",
+inline constexpr snippet to_forward_depth{
+    .name = "to_forward_depth",
     .summary = "depth that grows with distance",
     .exactness = tier::b,
     .operations = 1,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 )GLSL",
@@ -6589,21 +6605,21 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
 )GLSL",
 };
 
-inline constexpr snippet bleed_cut{
-    .name = "bleed_cut",
+inline constexpr snippet reduce_light_bleeding{
+    .name = "reduce_light_bleeding",
     .summary = "visibility without its least values",
     .exactness = tier::c,
     .operations = 5,
     .source = R"GLSL(
-// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
-UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+UMBRAGE_HIGHP float umbrage_reduce_light_bleeding(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float stretched = (visibility - amount) / (1.0 - amount);
     return visibility > amount ? stretched : 0.0;
 }
 )GLSL",
 };
 
-inline constexpr const snippet* chebyshev_snippets[]{&forward_depth, &chebyshev, &bleed_cut};
+inline constexpr const snippet* chebyshev_snippets[]{&to_forward_depth, &chebyshev, &reduce_light_bleeding};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -6631,30 +6647,30 @@ enum class float_store { half, single };
 /// @formula          exp2_polynomial(exponent (2 depth - 1))
 /// @exactness        B, n = 31
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T warp_depth(T depth, T exponent) {
+[[nodiscard]] UMBRAGE_INLINE constexpr T exponential_warp(T depth, T exponent) {
     return exp2_polynomial(exponent * (depth * T(2) - T(1)));
 }
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: 2^exponent
 /// @param exponent  0 to 63
-/// @formula         warp_depth(forward_depth)
+/// @formula         exponential_warp(to_forward_depth)
 /// @exactness       B, n = 36
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T cleared = T(1)) {
-    return warp_depth(forward_depth(saturate(depth, cleared), cleared), exponent);
+    return exponential_warp(to_forward_depth(saturate(depth, cleared), cleared), exponent);
 }
 
 /// @param m         mean of texels; NaN is in shadow
 /// @param receiver  depth, biased; nearer than 0 is lit as 0 is; NaN is in shadow
-/// @return          visibility, 0 to 1, before bleed_cut: at least the lit share, less 2^-20
-/// @formula         min(m 2^(-exponent (2 d - 1)), 1), d = forward_depth(receiver)
+/// @return          visibility, 0 to 1, before reduce_light_bleeding: at least the lit share, less 2^-20
+/// @formula         min(m 2^(-exponent (2 d - 1)), 1), d = to_forward_depth(receiver)
 /// @exactness       B, n = 37;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers,
 ///                  each off by 1.8e-7 of it, and their product
 /// @cite            Annen et al.: Exponential shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T cleared = T(1)) {
-    const T d = forward_depth(receiver, cleared);
-    const T p = m * warp_depth(d, -exponent);
+    const T d = to_forward_depth(receiver, cleared);
+    const T p = m * exponential_warp(d, -exponent);
     const T lit = detail::pick(p < T(1), p, T(1));
     return detail::pick(bool(int(p > T(0)) & int(!is_nan(p)) & int(!is_nan(d))), lit, T(0));
 }
@@ -6677,15 +6693,15 @@ struct esm_settings {
 
 namespace glsl {
 
-inline constexpr snippet warp_depth{
-    .name = "warp_depth",
+inline constexpr snippet exponential_warp{
+    .name = "exponential_warp",
     .summary = "depth on the scale of exponential shadow maps",
     .exactness = tier::b,
     .operations = 31,
     .needs = list<&exp2_polynomial>,
     .source = R"GLSL(
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_exponential_warp(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -6697,11 +6713,11 @@ inline constexpr snippet encode_esm{
     .summary = "depth to a texel of an exponential shadow map",
     .exactness = tier::b,
     .operations = 36,
-    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
-    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }
 )GLSL",
 };
@@ -6711,21 +6727,21 @@ inline constexpr snippet decode_esm{
     .summary = "mean of texels of an exponential shadow map to visibility",
     .exactness = tier::b,
     .operations = 37,
-    .needs = list<&forward_depth, &warp_depth>,
+    .needs = list<&to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP float receiver,
                                        UMBRAGE_HIGHP float exponent) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
-    UMBRAGE_HIGHP float p = m * umbrage_warp_depth(d, -exponent);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
+    UMBRAGE_HIGHP float p = m * umbrage_exponential_warp(d, -exponent);
     UMBRAGE_HIGHP float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 )GLSL",
 };
 
-inline constexpr const snippet* esm_snippets[]{&warp_depth, &encode_esm, &decode_esm};
+inline constexpr const snippet* esm_snippets[]{&exponential_warp, &encode_esm, &decode_esm};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -6743,23 +6759,23 @@ namespace umbrage {
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does
 /// @param exponent  0 to 55
-/// @formula         (w, w^2), w = warp_depth(forward_depth)
+/// @formula         (w, w^2), w = exponential_warp(to_forward_depth)
 /// @exactness       B, n = 73
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T cleared = T(1)) {
-    const T w = warp_depth(forward_depth(saturate(depth, cleared), cleared), exponent);
+    const T w = exponential_warp(to_forward_depth(saturate(depth, cleared), cleared), exponent);
     return {w, w * w};
 }
 
 /// @param depth      clamped to [0, 1]; NaN counts as far, as a cleared texel does
 /// @param exponents  of the growing power and of the falling one, 0 to 55
-/// @formula          (w, w^2, n, n^2), w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y)
+/// @formula          (w, w^2, n, n^2), w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y)
 /// @exactness        B, n = 73
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents,
                                                                    T cleared = T(1)) {
-    const T d = forward_depth(saturate(depth, cleared), cleared);
-    const T w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y);
+    const T d = to_forward_depth(saturate(depth, cleared), cleared);
+    const T w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y);
     return {w, w * w, n, n * n};
 }
 
@@ -6778,16 +6794,16 @@ template <real T>
 /// @param receiver   depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
 /// @param deviation  least standard deviation, as a part of the receiver's power: a least deviation of depth times
 ///                   2 ln(2) exponent, as make_evsm has it
-/// @return           visibility before bleed_cut: at least the lit share, less chebyshev's error
-/// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(saturate(receiver)))
+/// @return           visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
+/// @formula          chebyshev(m, w, (deviation w)^2), w = exponential_warp(to_forward_depth(saturate(receiver)))
 /// @exactness        C, n = 229: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
 ///                   powers
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
                                                       T cleared = T(1)) {
-    const T d = forward_depth(saturate(receiver, cleared), cleared);
-    const T lit = detail::warped_chebyshev(m, warp_depth(d, exponent), deviation);
+    const T d = to_forward_depth(saturate(receiver, cleared), cleared);
+    const T lit = detail::warped_chebyshev(m, exponential_warp(d, exponent), deviation);
     return detail::pick(is_nan(receiver), T(0), lit);
 }
 
@@ -6795,15 +6811,15 @@ template <real T>
 /// @param receiver    depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
 /// @param exponents   as of the texels
 /// @param deviations  least standard deviations, as parts of the receiver's powers
-/// @return            visibility before bleed_cut: at least the lit share, less chebyshev's error
+/// @return            visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
 /// @formula           the lesser of decode_evsm2's for either power
 /// @exactness         C, n = 229: a division
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                       glm::vec<2, T> deviations, T cleared = T(1)) {
-    const T d = forward_depth(saturate(receiver, cleared), cleared);
-    const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), warp_depth(d, exponents.x), deviations.x);
-    const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -warp_depth(d, -exponents.y), deviations.y);
+    const T d = to_forward_depth(saturate(receiver, cleared), cleared);
+    const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), exponential_warp(d, exponents.x), deviations.x);
+    const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -exponential_warp(d, -exponents.y), deviations.y);
     return detail::pick(is_nan(receiver), T(0), detail::pick(a < b, a, b));
 }
 
@@ -6851,11 +6867,11 @@ inline constexpr snippet encode_evsm2{
     .summary = "depth to a texel of two components",
     .exactness = tier::b,
     .operations = 73,
-    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return vec2(w, w * w);
 }
 )GLSL",
@@ -6866,13 +6882,13 @@ inline constexpr snippet encode_evsm4{
     .summary = "depth to a texel of four components",
     .exactness = tier::b,
     .operations = 73,
-    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec2 exponents) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
-    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_exponential_warp(d, -exponents.y);
     return vec4(w, w * w, n, n * n);
 }
 )GLSL",
@@ -6883,15 +6899,15 @@ inline constexpr snippet decode_evsm2{
     .summary = "mean of texels of two components to visibility",
     .exactness = tier::c,
     .operations = 229,
-    .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
+    .needs = list<&chebyshev, &to_forward_depth, &saturate, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponent);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
@@ -6905,16 +6921,16 @@ inline constexpr snippet decode_evsm4{
     .summary = "mean of texels of four components to visibility",
     .exactness = tier::c,
     .operations = 229,
-    .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
+    .needs = list<&chebyshev, &to_forward_depth, &saturate, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
-    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_exponential_warp(d, -exponents.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least_variance = least * least;
     UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
@@ -6948,11 +6964,11 @@ namespace umbrage {
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1)
 /// @param cleared   1, or 0 where depth is reversed
-/// @formula         (d, d^2), d = forward_depth
+/// @formula         (d, d^2), d = to_forward_depth
 /// @exactness       B, n = 3
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T cleared = T(1)) {
-    const T d = forward_depth(saturate(depth, cleared), cleared);
+    const T d = to_forward_depth(saturate(depth, cleared), cleared);
     return {d, d * d};
 }
 
@@ -6960,13 +6976,13 @@ template <real T>
 /// @param receiver       depth, biased; NaN is in shadow
 /// @param min_variance   >= 0; 1e-6 for floats of 32 bits: variance that a slope or rounding brings, without which
 ///                       surfaces shadow themselves
-/// @return               visibility before bleed_cut: at least the lit share, less chebyshev's error
-/// @formula              chebyshev(m, forward_depth(receiver), min_variance)
+/// @return               visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
+/// @formula              chebyshev(m, to_forward_depth(receiver), min_variance)
 /// @exactness            C, n = 13: a division
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T cleared = T(1)) {
-    return chebyshev(m, forward_depth(receiver, cleared), min_variance);
+    return chebyshev(m, to_forward_depth(receiver, cleared), min_variance);
 }
 
 /// @param m         mean of the depths, mean of their squares
@@ -7008,11 +7024,11 @@ inline constexpr snippet encode_vsm{
     .summary = "depth to a texel of a variance shadow map",
     .exactness = tier::b,
     .operations = 3,
-    .needs = list<&saturate, &forward_depth>,
+    .needs = list<&saturate, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     return vec2(d, d * d);
 }
 )GLSL",
@@ -7023,13 +7039,13 @@ inline constexpr snippet decode_vsm{
     .summary = "mean of texels of a variance shadow map to visibility",
     .exactness = tier::c,
     .operations = 13,
-    .needs = list<&chebyshev, &forward_depth>,
+    .needs = list<&chebyshev, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                        UMBRAGE_HIGHP float min_variance) {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 )GLSL",
 };
@@ -7106,10 +7122,10 @@ template <real T>
 
 }  // namespace detail
 
-/// chebyshev and bleed_cut in one.
+/// chebyshev and reduce_light_bleeding in one.
 /// @param variance   above 0 by a normal number
 /// @param distance   from the mean to the receiver, no NaN; what is not above 0 is lit
-/// @param amount     as of bleed_cut, 0 to 1/2
+/// @param amount     as of reduce_light_bleeding, 0 to 1/2
 /// @formula          clamp((p - amount) / (1 - amount), 0, 1), p = variance / (variance + max(distance, 0)^2)
 /// @exactness        C, within 2^-19 in a shader: sum and product half an ulp each, of divisions GPUs promise 2.5, and
 ///                   the cut doubles that
@@ -7123,9 +7139,9 @@ template <real T>
 /// @param held           mean and twice the standard deviation, as encode_deviation has them, filtered; no NaN
 /// @param receiver       depth, biased; NaN, and from 2^20 on on either side: in shadow
 /// @param min_variance   1e-7 or more
-/// @param amount         as of bleed_cut, 0 to 1/2
+/// @param amount         as of reduce_light_bleeding, 0 to 1/2
 /// @formula              chebyshev_hardware(max((held.y / 2)^2, min_variance), d - held.x, amount),
-///                       d = forward_depth(receiver)
+///                       d = to_forward_depth(receiver)
 /// @exactness            C, within 2^-10 in a shader: a distance off by 2^-23 moves p by at most 0.65 2^-23 /
 ///                       sqrt(min_variance), which the cut doubles; and chebyshev_hardware
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
@@ -7134,7 +7150,7 @@ template <real T>
                                               T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
     const T variance = detail::greater(held.y * held.y * T(0.25), min_variance);
-    return chebyshev_hardware(variance, forward_depth(receiver, cleared) - held.x, amount);
+    return chebyshev_hardware(variance, to_forward_depth(receiver, cleared) - held.x, amount);
 }
 
 /// @param m           mean of encode_evsm2's texels; no NaN
@@ -7142,9 +7158,9 @@ template <real T>
 ///                    shadow
 /// @param exponent    as of the texels, at most 55
 /// @param deviation   as of decode_evsm2, 0.005 or more
-/// @param amount      as of bleed_cut, 0 to 0.3
+/// @param amount      as of reduce_light_bleeding, 0 to 0.3
 /// @formula           chebyshev_hardware(max(m.y - m.x^2, (deviation w)^2), w - m.x, amount),
-///                    w = warp_depth(forward_depth(clamp(receiver, 0, 1)), exponent)
+///                    w = exponential_warp(to_forward_depth(clamp(receiver, 0, 1)), exponent)
 /// @exactness         C, within 1/64 in a shader. exp2 of y is promised to 3 + 2 |y| ulp; with y's own rounding on
 ///                    either side w is off by e = (5 + 4 exponent) 2^-23 of itself, and p by 0.65 e / deviation + e.
 ///                    Moments fused or not: 2 (2^-24 / deviation^2 + 2^-21). The cut divides both by 1 - amount
@@ -7153,7 +7169,8 @@ template <real T>
 [[nodiscard]] constexpr T decode_evsm2_hardware(glm::vec<2, T> m, T receiver, T exponent, T deviation, T amount,
                                                 T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T w = warp_depth(forward_depth(glm::clamp(receiver, T(0), T(1)), cleared), exponent), least = deviation * w;
+    const T w = exponential_warp(to_forward_depth(glm::clamp(receiver, T(0), T(1)), cleared), exponent),
+            least = deviation * w;
     return chebyshev_hardware(detail::greater(m.y - m.x * m.x, least * least), w - m.x, amount);
 }
 
@@ -7165,8 +7182,8 @@ template <real T>
 [[nodiscard]] constexpr T decode_evsm4_hardware(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                 glm::vec<2, T> deviations, T amount, T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T d = forward_depth(glm::clamp(receiver, T(0), T(1)), cleared);
-    const T w = warp_depth(d, exponents.x), n = T(0) - warp_depth(d, T(0) - exponents.y);
+    const T d = to_forward_depth(glm::clamp(receiver, T(0), T(1)), cleared);
+    const T w = exponential_warp(d, exponents.x), n = T(0) - exponential_warp(d, T(0) - exponents.y);
     const T least_w = deviations.x * w, least_n = deviations.y * n;
     const T a = chebyshev_hardware(detail::greater(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
     const T b = chebyshev_hardware(detail::greater(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
@@ -7197,7 +7214,7 @@ inline constexpr snippet decode_vsm_hardware{
     .summary = "mean and deviation to visibility, the cheapest way",
     .exactness = tier::c,
     .within = 1.0f / 1024.0f,
-    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .needs = list<&chebyshev_hardware, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
@@ -7205,7 +7222,7 @@ inline constexpr snippet decode_vsm_hardware{
 UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE_HIGHP float receiver,
                                                 UMBRAGE_HIGHP float min_variance, UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float variance = max(held.y * held.y * 0.25, min_variance);
-    UMBRAGE_HIGHP float distance = umbrage_forward_depth(receiver) - held.x;
+    UMBRAGE_HIGHP float distance = umbrage_to_forward_depth(receiver) - held.x;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, distance, amount);
     return abs(receiver) < 1048576.0 ? lit : 0.0;
 }
@@ -7217,7 +7234,7 @@ inline constexpr snippet decode_evsm2_hardware{
     .summary = "mean of texels of two components to visibility, by the GPU's own exp2",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
-    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .needs = list<&chebyshev_hardware, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
@@ -7225,7 +7242,7 @@ inline constexpr snippet decode_evsm2_hardware{
 UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                                   UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
                                                   UMBRAGE_HIGHP float amount) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     UMBRAGE_HIGHP float w = exp2(exponent * (d * 2.0 - 1.0));
     UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_HIGHP float variance = max(m.y - m.x * m.x, least * least);
@@ -7240,7 +7257,7 @@ inline constexpr snippet decode_evsm4_hardware{
     .summary = "mean of texels of four components to visibility, by the GPU's own exp2",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
-    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .needs = list<&chebyshev_hardware, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
@@ -7248,7 +7265,7 @@ inline constexpr snippet decode_evsm4_hardware{
 UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                                   UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations,
                                                   UMBRAGE_HIGHP float amount) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     UMBRAGE_HIGHP float w = exp2(exponents.x * d);
     UMBRAGE_HIGHP float n = 0.0 - exp2((0.0 - exponents.y) * d);
     UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
@@ -7275,8 +7292,8 @@ inline constexpr const snippet* decode_hardware_snippets[]{&chebyshev_hardware, 
 //
 // Four channels of 16 bits hold them turned, so that each has its whole range:
 //
-//     glm::vec4 held = umbrage::turn_moments(texel);
-//     float visibility = umbrage::decode_msm(umbrage::turn_moments_back(held), receiver, umbrage::msm_bias_16);
+//     glm::vec4 held = umbrage::to_optimized_moments(texel);
+//     float visibility = umbrage::decode_msm(umbrage::from_optimized_moments(held), receiver, umbrage::msm_bias_16);
 //
 // Of all distributions with the same moments the one that shadows the receiver least has three depths, one of which is
 // the receiver's: what of the other two lies before it is shadow.
@@ -7290,13 +7307,13 @@ inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< of four channels of 16 
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1, 1, 1)
 /// @param cleared   1, or 0 where depth is reversed
-/// @formula         (z, z^2, z^3, z^4), z = 2 forward_depth - 1
+/// @formula         (z, z^2, z^3, z^4), z = 2 to_forward_depth - 1
 /// @exactness       B, n = 15
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015; on [-1, 1]: Peters et al.: Improved moment shadow
 ///                  maps for translucent occluders, soft shadows and single scattering, JCGT 2017
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_msm(T depth, T cleared = T(1)) {
-    const T z = forward_depth(saturate(depth, cleared), cleared) * T(2) - T(1);
+    const T z = to_forward_depth(saturate(depth, cleared), cleared) * T(2) - T(1);
     const T square = z * z;
     return {z, square, square * z, square * square};
 }
@@ -7306,15 +7323,15 @@ template <real T>
 /// @exactness       B, n = 4
 /// @cite            Peters et al., JCGT 2017
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments(glm::vec<4, T> b) {
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> to_optimized_moments(glm::vec<4, T> b) {
     return {(b.x * T(0.75) - b.z) * T(2) + T(0.5), (b.y - b.w) * T(4), (b.x * T(2.25) - b.z) * T(0.384900182f) + T(0.5),
             (b.y + b.w) * T(0.5)};
 }
 
-/// @formula         the inverse of turn_moments
+/// @formula         the inverse of to_optimized_moments
 /// @exactness       B, n = 5;  off by at most 2^-22 of what was turned, of rounding on both ways
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments_back(glm::vec<4, T> o) {
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> from_optimized_moments(glm::vec<4, T> o) {
     const T x = o.x - T(0.5), z = o.z - T(0.5), eighth = o.y * T(0.125);
     return {z * T(1.73205078f) - x * T(0.333333343f), o.w + eighth, z * T(1.29903817f) - x * T(0.75), o.w - eighth};
 }
@@ -7408,7 +7425,7 @@ template <real T>
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
 [[nodiscard]] T decode_msm(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
-    const T d = forward_depth(receiver, cleared);
+    const T d = to_forward_depth(receiver, cleared);
     const glm::vec<4, T> m = bias_moments(b, bias);
     const T x = detail::moment_depth(d) - m.x;
     return detail::lit_by_atoms(moment_atoms(m, x), x, d);
@@ -7421,25 +7438,25 @@ inline constexpr snippet encode_msm{
     .summary = "depth to its first four powers on [-1, 1]",
     .exactness = tier::b,
     .operations = 15,
-    .needs = list<&saturate, &forward_depth>,
+    .needs = list<&saturate, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     UMBRAGE_HIGHP float square = z * z;
     return vec4(z, square, square * z, square * square);
 }
 )GLSL",
 };
 
-inline constexpr snippet turn_moments{
-    .name = "turn_moments",
+inline constexpr snippet to_optimized_moments{
+    .name = "to_optimized_moments",
     .summary = "four moments to four channels of 16 bits",
     .exactness = tier::b,
     .operations = 4,
     .source = R"GLSL(
-// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
-UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
+// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+UMBRAGE_HIGHP vec4 umbrage_to_optimized_moments(UMBRAGE_HIGHP vec4 b) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (b.y - b.w) * 4.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
@@ -7449,14 +7466,14 @@ UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
 )GLSL",
 };
 
-inline constexpr snippet turn_moments_back{
-    .name = "turn_moments_back",
+inline constexpr snippet from_optimized_moments{
+    .name = "from_optimized_moments",
     .summary = "four channels of 16 bits to four moments",
     .exactness = tier::b,
     .operations = 5,
     .source = R"GLSL(
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+UMBRAGE_HIGHP vec4 umbrage_from_optimized_moments(UMBRAGE_HIGHP vec4 o) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
     UMBRAGE_HIGHP float eighth = o.y * 0.125;
@@ -7522,13 +7539,13 @@ inline constexpr snippet decode_msm{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&bias_moments, &forward_depth, &moment_atoms>,
+    .needs = list<&bias_moments, &to_forward_depth, &moment_atoms>,
     .source = R"GLSL(
 // umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
     UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
@@ -7542,8 +7559,8 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
 )GLSL",
 };
 
-inline constexpr const snippet* msm_snippets[]{&encode_msm,   &turn_moments, &turn_moments_back,
-                                               &moment_atoms, &bias_moments, &decode_msm};
+inline constexpr const snippet* msm_snippets[]{&encode_msm,   &to_optimized_moments, &from_optimized_moments,
+                                               &moment_atoms, &bias_moments,         &decode_msm};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -7615,7 +7632,7 @@ template <real T>
 template <real T>
 [[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
     return detail::lit_within(decode_msm(b, receiver, bias, cleared), bias_moments(b, bias),
-                              forward_depth(receiver, cleared));
+                              to_forward_depth(receiver, cleared));
 }
 
 namespace glsl {
@@ -7660,14 +7677,14 @@ inline constexpr snippet decode_msm_hausdorff{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&bias_moments, &decode_msm, &forward_depth, &hausdorff_share>,
+    .needs = list<&bias_moments, &decode_msm, &to_forward_depth, &hausdorff_share>,
     .source = R"GLSL(
 // umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
 UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver,
                                                  UMBRAGE_HIGHP vec2 bias) {
     UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
     UMBRAGE_HIGHP float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
     UMBRAGE_HIGHP float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     UMBRAGE_HIGHP float lit = share >= 0.0 ? 1.0 - share : plain;
@@ -7694,7 +7711,7 @@ namespace umbrage {
 
 /// Mean of the four texels around a point.
 /// @param fetch     ivec2 texel -> float or vector; called four times, texels may lie one outside the map
-/// @param coord     in texels, the first texel's centre is (0.5, 0.5); inside texel space
+/// @param coord     in texels, the first texel's center is (0.5, 0.5); inside texel space
 /// @return          as fetch
 /// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
 ///                  of texels below 2^111
@@ -7717,13 +7734,13 @@ namespace detail {
 template <real T, class Fetch, class Decode>
 [[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T cleared, const Decode& decode) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
-    return is_compared(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
+    return in_filter_domain(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
 }
 
 }  // namespace detail
 
 /// @param fetch      ivec2 texel -> texel of encode_vsm, blurred
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @formula          decode_vsm of fetch_bilinear
 /// @exactness        C, n = 109: a division
@@ -7766,12 +7783,13 @@ template <real T, class Fetch>
                            [&](glm::vec<4, T> b) { return decode_msm(b, receiver, bias, cleared); });
 }
 
-/// As vsm, of texels of turn_moments(encode_msm).
+/// As vsm, of texels of to_optimized_moments(encode_msm).
 /// @exactness        C: within 1/64 in a shader
 template <real T, class Fetch>
-[[nodiscard]] T msm_turned(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
-    return detail::look_up(fetch, coord, receiver, cleared,
-                           [&](glm::vec<4, T> o) { return decode_msm(turn_moments_back(o), receiver, bias, cleared); });
+[[nodiscard]] T msm_unorm16(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared, [&](glm::vec<4, T> o) {
+        return decode_msm(from_optimized_moments(o), receiver, bias, cleared);
+    });
 }
 
 /// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
@@ -7792,7 +7810,7 @@ inline constexpr snippet fetch_bilinear{
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
@@ -7816,14 +7834,14 @@ inline constexpr snippet vsm{
     .summary = "visibility from a map of encode_vsm's texels",
     .exactness = tier::c,
     .operations = 109,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_vsm>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_vsm>,
     .source = R"GLSL(
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -7836,14 +7854,14 @@ inline constexpr snippet esm{
     .summary = "visibility from a map of encode_esm's texels",
     .exactness = tier::b,
     .operations = 49,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_esm>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_esm>,
     .source = R"GLSL(
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -7856,15 +7874,15 @@ inline constexpr snippet evsm2{
     .summary = "visibility from a map of encode_evsm2's texels",
     .exactness = tier::c,
     .operations = 139,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_evsm2>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm2>,
     .source = R"GLSL(
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
                                   UMBRAGE_HIGHP float deviation) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -7877,15 +7895,15 @@ inline constexpr snippet evsm4{
     .summary = "visibility from a map of encode_evsm4's texels",
     .exactness = tier::c,
     .operations = 139,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_evsm4>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm4>,
     .source = R"GLSL(
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
                                   UMBRAGE_HIGHP vec2 deviations) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -7899,14 +7917,14 @@ inline constexpr snippet msm{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_msm>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm>,
     .source = R"GLSL(
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -7914,22 +7932,22 @@ UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 )GLSL",
 };
 
-inline constexpr snippet msm_turned{
-    .name = "msm_turned",
+inline constexpr snippet msm_unorm16{
+    .name = "msm_unorm16",
     .summary = "visibility from a map of turned moments",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_msm, &turn_moments_back>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm, &from_optimized_moments>,
     .source = R"GLSL(
-// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+// umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
-UMBRAGE_HIGHP float umbrage_msm_turned(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
-    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
 }
 )GLSL",
@@ -7941,14 +7959,14 @@ inline constexpr snippet msm_hausdorff{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_msm_hausdorff>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm_hausdorff>,
     .source = R"GLSL(
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -7956,8 +7974,8 @@ UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 )GLSL",
 };
 
-inline constexpr const snippet* look_up_snippets[]{&fetch_bilinear, &vsm, &esm,        &evsm2,
-                                                   &evsm4,          &msm, &msm_turned, &msm_hausdorff};
+inline constexpr const snippet* look_up_snippets[]{&fetch_bilinear, &vsm, &esm,         &evsm2,
+                                                   &evsm4,          &msm, &msm_unorm16, &msm_hausdorff};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -8107,7 +8125,7 @@ template <real T, class Fetch>
 /// Share of the texels in a box that can be lit, from their four moments.
 /// @param table      as make_moment_table makes it
 /// @param size       of the table in texels: (2 (w + 1), h + 1) of a map of w x h
-/// @param coord      receiver in texels of the map, the first texel's centre is (0.5, 0.5); outside texel space, or
+/// @param coord      receiver in texels of the map, the first texel's center is (0.5, 0.5); outside texel space, or
 ///                   NaN: lit; what of the box lies outside the map does not count
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
@@ -8121,14 +8139,14 @@ template <real T, class Fetch>
 [[nodiscard]] T summed_moments(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius,
                                glm::vec<2, T> bias, T cleared = T(1)) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
     const int reach = static_cast<int>(radius);
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
                      end = detail::lesser(texel + reach + 1, map);
     const glm::vec<4, T> turned = box_mean<T>(table, size.x / 2, first, end) * T(1.0 / 65535.0);
-    return decode_msm(turn_moments_back(turned), receiver, bias, cleared);
+    return decode_msm(from_optimized_moments(turned), receiver, bias, cleared);
 }
 
 namespace glsl {
@@ -8170,22 +8188,22 @@ inline constexpr snippet summed_moments{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&is_compared, &box_mean, &turn_moments_back, &decode_msm>,
+    .needs = list<&in_filter_domain, &box_mean, &from_optimized_moments, &decode_msm>,
     .source = R"GLSL(
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                            UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
     UMBRAGE_HIGHP vec4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return compared ? lit : 1.0;
 }
 )GLSL",
@@ -8245,7 +8263,7 @@ template <real T, class Fetch>
 /// Share of the texels in a box that can be lit: Chebyshev's bound, from its mean and variance.
 /// @param table      as make_variance_table makes it
 /// @param size       of the map in texels; the table has one more column and row
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit; what
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit; what
 ///                   of the box lies outside the map does not count
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
@@ -8259,7 +8277,7 @@ template <real T, class Fetch>
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T summed_variance(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius, T codes,
                                 Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
     const int reach = static_cast<int>(radius);
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
@@ -8318,16 +8336,16 @@ inline constexpr snippet summed_variance{
     .summary = "variance shadow over a box of any size, from a summed-area table",
     .exactness = tier::c,
     .within = 1.0f / 65536.0f,
-    .needs = list<&is_compared, &cleared_depth, &box_moments>,
+    .needs = list<&in_filter_domain, &cleared_depth, &box_moments>,
     .source = R"GLSL(
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP float codes) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = size - 1.0;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
@@ -8920,7 +8938,7 @@ template <real T = float>
     detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
                     "must be finite and above 0");
     detail::require(is_finite(light.offset), function, "offset", "must be finite");
-    // along the normalised direction, moved by the offset: the view's last row holds the light's distance
+    // along the normalized direction, moved by the offset: the view's last row holds the light's distance
     light_space<T> space{
         detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
         {},
@@ -8937,7 +8955,7 @@ template <real T = float>
 // ---- umbrage/light/pancake.hpp
 // Casters before the near plane, pressed onto it by the vertex shader where the rasterizer cannot clamp depth.
 //
-//     gl_Position = umbrage_pancaked(clip_from_world * position, 0.0);  // umbrage::near_depth(clip)
+//     gl_Position = umbrage_pancake(clip_from_world * position, 0.0);   // umbrage::near_depth(clip)
 //
 
 namespace umbrage {
@@ -8958,7 +8976,7 @@ namespace umbrage {
 /// @return           z = max(z, at_near w), or min for reversed depth; a NaN in z stays
 /// @exactness        B, n = 1: selects; where denormals compare as zeros, those before the plane stay
 template <real T>
-[[nodiscard]] constexpr glm::vec<4, T> pancaked(glm::vec<4, T> position, T at_near) {
+[[nodiscard]] constexpr glm::vec<4, T> pancake(glm::vec<4, T> position, T at_near) {
     const T plane = at_near * position.w;
     const bool before = at_near > T(0.5) ? position.z > plane : position.z < plane;
     return {position.x, position.y, before ? plane : position.z, position.w};
@@ -8966,15 +8984,15 @@ template <real T>
 
 namespace glsl {
 
-inline constexpr snippet pancaked{
-    .name = "pancaked",
+inline constexpr snippet pancake{
+    .name = "pancake",
     .summary = "casters before the near plane, onto it",
     .exactness = tier::b,
     .operations = 1,
     .source = R"GLSL(
-// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
-UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
+UMBRAGE_HIGHP vec4 umbrage_pancake(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;
     bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
     return vec4(position.x, position.y, before ? plane : position.z, position.w);
@@ -8982,7 +9000,7 @@ UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr const snippet* pancake_snippets[]{&pancaked};
+inline constexpr const snippet* pancake_snippets[]{&pancake};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -9603,7 +9621,7 @@ template <real T = float>
 // The lighting of the DirectX SDK's ShadowMap sample: a spot cone, diffuse plus ambient. Enough for whole pictures.
 //
 //     float cone = umbrage::spot_cone(light_direction, point - light_position, cos_outer_angle);
-//     glm::vec3 colour = umbrage::diffuse_ambient(albedo, 0.2f, glm::dot(normal, to_light), visibility * cone);
+//     glm::vec3 color = umbrage::diffuse_ambient(albedo, 0.2f, glm::dot(normal, to_light), visibility * cone);
 //
 
 namespace umbrage {
@@ -9615,7 +9633,7 @@ namespace umbrage {
 /// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
 /// @return            1 inside the cone, 0 outside, at its apex, or for NaN
 /// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test,
-///                    unnormalised
+///                    unnormalized
 /// @exactness         B, n = 11
 /// @cite              Microsoft DirectX SDK, ShadowMap sample
 template <real T>
@@ -9693,9 +9711,9 @@ inline constexpr const snippet* lighting_snippets[]{&spot_cone, &diffuse_ambient
 #define UMBRAGE_VERSION_PATCH 0
 
 // ---- umbrage/view/false_color.hpp
-// Depth as colour, so that people can see it: blue near, through cyan, green and yellow, to red far.
+// Depth as color, so that people can see it: blue near, through cyan, green and yellow, to red far.
 //
-//     glm::vec3 colour = umbrage::false_colour(depth);
+//     glm::vec3 color = umbrage::false_color(depth);
 //
 
 namespace umbrage {
@@ -9705,7 +9723,7 @@ namespace umbrage {
 /// @formula       3/2 - |4 v - c|, clamped, with c = 3, 2, 1 for red, green, blue
 /// @exactness     B, n = 3: one rounded difference a channel
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> false_colour(T v, T cleared = T(1)) {
+[[nodiscard]] constexpr glm::vec<3, T> false_color(T v, T cleared = T(1)) {
     const T x = saturate(v, cleared) * T(4);
     const auto ramp = [x](T peak) {
         const T distance = x < peak ? peak - x : x - peak;
@@ -9716,15 +9734,15 @@ template <real T>
 
 namespace glsl {
 
-inline constexpr snippet false_colour{
-    .name = "false_colour",
+inline constexpr snippet false_color{
+    .name = "false_color",
     .summary = "0..1 to blue, green, red",
     .exactness = tier::b,
     .operations = 3,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
-UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
+// umbrage_false_color: blue for 0.0, through green, to red for 1.0
+UMBRAGE_HIGHP vec3 umbrage_false_color(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP float x = umbrage_saturate(v) * 4.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 ramp = 1.5 - abs(vec3(x - 3.0, x - 2.0, x - 1.0));
     return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
@@ -9732,7 +9750,7 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
 )GLSL",
 };
 
-inline constexpr const snippet* false_colour_snippets[]{&false_colour};
+inline constexpr const snippet* false_color_snippets[]{&false_color};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -9745,9 +9763,9 @@ inline constexpr const snippet* false_colour_snippets[]{&false_colour};
 
 namespace umbrage {
 
-/// The texel that lies under a pixel's centre.
+/// The texel that lies under a pixel's center.
 ///
-/// @param coord             centre of the pixel, counted from the corner: 0.5, 1.5, ...
+/// @param coord             center of the pixel, counted from the corner: 0.5, 1.5, ...
 /// @param size              of the overlay in pixels, whole
 /// @param map_size          of the map in texels, whole, at most 65536 in float; size map_size at most 2^23 in float,
 ///                          2^52 in double
@@ -9771,7 +9789,7 @@ inline constexpr snippet overlay_texel{
     .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
 //   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
 UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
                                           UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {
@@ -10068,9 +10086,9 @@ namespace umbrage::detail {
              std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
 }
 
-/// beyond_far of a comparison as a mask.
+/// beyond_far_plane of a comparison as a mask.
 template <bool Forward>
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t beyond_far_mask(float depth) {
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t beyond_far_plane_mask(float depth) {
     constexpr std::int32_t one = 0x3F800000, infinity = 0x7F800000;
     const auto bits = detail::bit_cast<std::int32_t>(depth);
     if constexpr (Forward) return -(std::int32_t(bits > one) & std::int32_t(bits <= infinity));
@@ -10618,7 +10636,7 @@ namespace umbrage {
 
 /// A symmetric row of weights. Taps are odd: 2 * weights.size() - 1.
 struct blur_kernel {
-    std::vector<float> weights;  ///< that of the centre, then those at distance 1, 2, ... on both sides
+    std::vector<float> weights;  ///< that of the center, then those at distance 1, 2, ... on both sides
 };
 
 /// Row Taps - 1 of Pascal's triangle, divided by its sum: weights are exact.
@@ -10665,13 +10683,13 @@ template <class Tap, std::size_t... I>
 UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to,
                                       std::index_sequence<I...>) {
     // Pointers and weights are locals, which stay in registers: one loop holds all taps.
-    const float* const centre = tap(0);
+    const float* const center = tap(0);
     const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...},
         after{tap(static_cast<int>(I) + 1)...};
     const std::array<float, sizeof...(I)> w{weights[I + 1]...};
     const float w0 = weights[0];
     for (int x = 0; x < block; ++x) {
-        float sum = w0 * centre[x];
+        float sum = w0 * center[x];
         ((sum = sum + w[I] * (before[I][x] + after[I][x])), ...);
         to[x] = sum;
     }
@@ -10680,8 +10698,8 @@ UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, floa
 /// The same for any number of sums.
 template <class Tap>
 UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap& tap, float* to, int count) {
-    const float* const centre = tap(0);
-    for (int x = 0; x < count; ++x) to[x] = weights[0] * centre[x];
+    const float* const center = tap(0);
+    for (int x = 0; x < count; ++x) to[x] = weights[0] * center[x];
     for (int i = 1; i <= radius; ++i) {
         const float *before = tap(-i), *after = tap(i), w = weights[i];
         for (int x = 0; x < count; ++x) to[x] = to[x] + w * (before[x] + after[x]);
@@ -10740,9 +10758,9 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
                 line[i - border] = line[i % channels];
                 line[width + i] = line[width - channels + i % channels];
             }
-            const float* const centre = line;
+            const float* const center = line;
             blur_row(
-                weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * channels; }, to.row(y), width);
+                weights, radius, [=](int i) UMBRAGE_INLINE { return center + i * channels; }, to.row(y), width);
         }
     });
 }
@@ -11102,7 +11120,7 @@ UMBRAGE_END_STRICT_MATH
 UMBRAGE_STRICT_MATH
 namespace umbrage {
 
-/// Perspective-correct weights of a triangle's vertices at the centres of texels.
+/// Perspective-correct weights of a triangle's vertices at the centers of texels.
 class triangle_weights {
 public:
     /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
@@ -11128,7 +11146,7 @@ public:
     [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
         const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
         const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
-        const double px = p.x - x * p.w, qx = q.x - x * q.w, rx = r.x - x * r.w;  // the centre to each vertex, times w
+        const double px = p.x - x * p.w, qx = q.x - x * q.w, rx = r.x - x * r.w;  // the center to each vertex, times w
         const double py = p.y - y * p.w, qy = q.y - y * q.w, ry = r.y - y * r.w;
         const double a = qx * ry - qy * rx, b = rx * py - ry * px, c = px * qy - py * qx, sum = a + b + c;
         const double side = sum < 0.0 ? -1.0 : 1.0;
@@ -11207,10 +11225,10 @@ public:
         }
     }
 
-    /// Rows first <= y < second whose centres are above the lowest corner, the highest included: a bottom edge and
-    /// a corner cover no centre that they meet.
+    /// Rows first <= y < second whose centers are above the lowest corner, the highest included: a bottom edge and
+    /// a corner cover no center that they meet.
     [[nodiscard]] static UMBRAGE_INLINE glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) {
-        return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
+        return {(lowest + subtexels - center) >> 8, ((highest - center) >> 8) + 1};
     }
 
     [[nodiscard]] bool full() const { return count == block; }
@@ -11258,8 +11276,8 @@ public:
     [[nodiscard]] UMBRAGE_INLINE double corner_depth(int k, int i) const { return z_[k][i]; }
     /// Of the plane there, which may differ by as much as its slopes were rounded.
     [[nodiscard]] UMBRAGE_INLINE double depth_at_corner(int k, int i) const {
-        return depth(i, 0, 0) + dx_[i] * 0x1p-8 * (x_[k][i] - first_x[i] * subtexels - centre) +
-               dy_[i] * 0x1p-8 * (y_[k][i] - first_y[i] * subtexels - centre);
+        return depth(i, 0, 0) + dx_[i] * 0x1p-8 * (x_[k][i] - first_x[i] * subtexels - center) +
+               dy_[i] * 0x1p-8 * (y_[k][i] - first_y[i] * subtexels - center);
     }
 
     /// Whether 32 bits hold the edges over the triangle's bounds, and some texels beyond.
@@ -11269,7 +11287,7 @@ public:
     [[nodiscard]] UMBRAGE_INLINE std::int64_t edge_at(int k, int i, int x, int y) const {
         const std::int64_t step_x = right[k][i], step_y = up[k][i];
         const std::int64_t e =
-            step_y * (y * subtexels + centre - y_[k][i]) + step_x * (x * subtexels + centre - x_[k][i]);
+            step_y * (y * subtexels + center - y_[k][i]) + step_x * (x * subtexels + center - x_[k][i]);
         return (e - is_open(step_x, step_y)) >> 8;
     }
 
@@ -11304,7 +11322,7 @@ public:
 
 private:
     using bits = std::int64_t;
-    static constexpr int centre = subtexels / 2;
+    static constexpr int center = subtexels / 2;
 
     /// Right edges, and bottom ones.
     template <class Int>
@@ -11333,9 +11351,9 @@ private:
             const std::int32_t bottom = lesser(lesser(ay, by), cy), top = greater(greater(ay, by), cy);
             width_[i] = end - left, height_[i] = top - bottom;
             side_[i] = greater(end - left, top - bottom);
-            const std::int32_t from_x = greater((left + subtexels - 1 - centre) >> 8, min_x);
-            const std::int32_t from_y = greater((bottom + subtexels - centre) >> 8, min_y);
-            const std::int32_t to_x = lesser((end - centre) >> 8, max_x), to_y = lesser((top - centre) >> 8, max_y);
+            const std::int32_t from_x = greater((left + subtexels - 1 - center) >> 8, min_x);
+            const std::int32_t from_y = greater((bottom + subtexels - center) >> 8, min_y);
+            const std::int32_t to_x = lesser((end - center) >> 8, max_x), to_y = lesser((top - center) >> 8, max_y);
             first_x[i] = from_x, first_y[i] = from_y;
             columns[i] = to_x - from_x + 1;
             rows[i] = (to_y - from_y + 1) & -std::int32_t((to_x >= from_x) & (to_y >= from_y));
@@ -11372,8 +11390,8 @@ private:
             const std::int32_t step_x = ((ay[i] - by[i]) ^ turn) - turn, step_y = ((bx[i] - ax[i]) ^ turn) - turn;
             right[k][i] = step_x, up[k][i] = step_y;
             per_row[k][i] = -1.0f / static_cast<float>(step_y | std::int32_t(step_y == 0));
-            const double e = double(step_y) * (first_y[i] * subtexels + centre - ay[i]) +
-                             double(step_x) * (first_x[i] * subtexels + centre - ax[i]) - is_open(step_x, step_y);
+            const double e = double(step_y) * (first_y[i] * subtexels + center - ay[i]) +
+                             double(step_x) * (first_x[i] * subtexels + center - ax[i]) - is_open(step_x, step_y);
             // As an integer, of which the lower 51 bits are kept, without its last 8.
             edge[k][i] = static_cast<std::int32_t>(bit_cast<std::uint64_t>(e + 0x1.8p52) >> 8);
         }
@@ -11417,8 +11435,8 @@ private:
             units = one_over(unit);
             const double dx = truncate(slope_x * units) * unit;
             const double dy = truncate(slope_y * units) * unit;
-            depth_[i] = truncate(z0 * units) * unit + dx * (first_x[i] * subtexels + centre - x_[0][i]) +
-                        dy * (first_y[i] * subtexels + centre - y_[0][i]);
+            depth_[i] = truncate(z0 * units) * unit + dx * (first_x[i] * subtexels + center - x_[0][i]) +
+                        dy * (first_y[i] * subtexels + center - y_[0][i]);
             dx_[i] = dx * subtexels;
             dy_[i] = dy * subtexels;
             z_[0][i] = z0, z_[1][i] = z1, z_[2][i] = z2;
@@ -12494,7 +12512,7 @@ UMBRAGE_END_STRICT_MATH
 //     });
 //     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
 //
-// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
+// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centers, and ties go by the top-left
 // rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
 // grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads and no
 // instruction set changes a bit, nor does contraction to FMA, but that it may move a clipped triangle's cut by 1/256
@@ -13024,7 +13042,7 @@ private:
     static UMBRAGE_INLINE std::int32_t greatest(std::int32_t a, std::int32_t b) { return greatest_of{}(a, b); }
 };
 
-/// Of filters that are known by their reach alone: texels whose centres lie so far from a receiver, an axis, and how
+/// Of filters that are known by their reach alone: texels whose centers lie so far from a receiver, an axis, and how
 /// many they can be.
 struct reached_texels {
     int reach;  ///< in 1/256 texel
@@ -13103,7 +13121,7 @@ struct bounding_box {
 
 template <real T>
 struct bounding_sphere {
-    glm::vec<3, T> centre{T(0)};
+    glm::vec<3, T> center{T(0)};
     T radius = T(1);  ///< >= 0
 };
 
@@ -13188,8 +13206,8 @@ template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f);
     const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
-    const double centre = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
-    return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
+    const double center = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - center;
+    return {glm::dvec3(f.position) + axes[2] * center, std::sqrt(beyond * beyond + z_far * z_far * t)};
 }
 
 namespace detail {
@@ -13299,7 +13317,7 @@ struct rounded_hull {
     template <real T>
     rounded_hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
     template <real T>
-    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
+    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(s.radius) {}
     template <real T>
     rounded_hull(const bounding_box<T>& box) : rounded_hull(umbrage::corners(box)) {}
     template <real T>
@@ -13394,7 +13412,7 @@ template <class = detail::on_use>
     if (bounds.radius < 0.0f) return false;
     const auto radius = static_cast<double>(bounds.radius);
     const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };
-    return detail::may_mark(glm::dvec3(bounds.centre), glm::dvec3(radius), reach, to_clip, clip, at_near);
+    return detail::may_mark(glm::dvec3(bounds.center), glm::dvec3(radius), reach, to_clip, clip, at_near);
 }
 
 /// The instances that may mark a map, in their order: the depth pass of these has the bits of that of all.
@@ -13841,7 +13859,7 @@ UMBRAGE_END_STRICT_MATH
 //     umbrage::summed_area(values, sums);
 //     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
 //
-// Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
+// Prefer integers: quantize depths or moments first. Their tables are exact, whatever the order; a table of floats
 // loses bits as it grows, and its differences lose more.
 
 UMBRAGE_STRICT_MATH
@@ -14020,8 +14038,8 @@ struct moment_table {
 /// @param map         depths; NaN counts as far
 /// @param of          the largest box, n texels of it within the map
 /// @return            two halves, each with one column and row more than the map: sums of 65535
-///                    turn_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16, and over
-///                    2^16
+///                    to_optimized_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16,
+///                    and over 2^16
 /// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
 template <class ParallelFor = serial>
 [[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
@@ -14038,7 +14056,8 @@ template <class ParallelFor = serial>
     parallel(map.size.y, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < map.size.x; ++x)
-                codes[{x, y}] = glm::u16vec4(turn_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
+                codes[{x, y}] =
+                    glm::u16vec4(to_optimized_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
     });
     image<std::uint32_t> channel(map.size), sums(map.size);
     for (glm::length_t c = 0; c < 4; ++c) {
@@ -14087,7 +14106,7 @@ void summed_visibility(image_view<const glm::u16vec4> table, const moment_table&
 //
 //     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
 //     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
-//         return umbrage::false_colour(s(depth));
+//         return umbrage::false_color(s(depth));
 //     });
 //
 
@@ -14131,12 +14150,12 @@ struct overlay_placement {
 /// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
 /// What does not fit is cut off.
 ///
-/// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
+/// @param color   float -> color, given the map's texels as they are: a float is a gray, a vec3 red, green and blue,
 ///                all in [0, 1]
 /// @throws std::invalid_argument  negative size
-template <class Colour>
+template <class Color>
 void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
-             Colour&& colour) {
+             Color&& color) {
     if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
     if (map.empty()) return;
     const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
@@ -14150,7 +14169,7 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
         const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
         glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
         for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
-            out[x] = store_unorm8(glm::vec3(colour(depths[nearest(x, size.x, map.size.x)])));
+            out[x] = store_unorm8(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
     }
 }
 
@@ -14248,9 +14267,9 @@ struct block_test {
     [[nodiscard]] static UMBRAGE_INLINE std::int32_t none_lit(float receiver, float least, float greatest) {
         return forward ? std::int32_t(receiver > greatest) : std::int32_t(receiver < least) & number_mask(least);
     }
-    /// is_compared as a mask.
+    /// in_filter_domain as a mask.
     [[nodiscard]] static UMBRAGE_INLINE std::int32_t compared(float x, float y, float z) {
-        return texel_space_mask(x, y) & ~beyond_far_mask<forward>(z);
+        return texel_space_mask(x, y) & ~beyond_far_plane_mask<forward>(z);
     }
 };
 
@@ -14296,7 +14315,7 @@ UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
     for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
 }
 
-/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbours of two rows.
+/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbors of two rows.
 template <class Map>
 struct loaded_texels;
 
@@ -14387,7 +14406,7 @@ template <class T>
 /// The last texel of a map that a receiver can ask for whose texels number less than `space`.
 [[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
 
-/// Starts to fetch the texels of a block, of which neighbours mostly share a cache line. Where a block starts on
+/// Starts to fetch the texels of a block, of which neighbors mostly share a cache line. Where a block starts on
 /// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
 /// receivers come to that lie askew to the map.
 template <class T>
@@ -14874,12 +14893,12 @@ struct disc_table {
         const auto rho = static_cast<int>(disc_radius(radius));
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 4; ++x) {
-                const glm::ivec2 turn(disc_turn(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
+                const glm::ivec2 rotation(disc_rotation(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
                 for (int p = 0; p < count; ++p) {
                     const disc_point point = points[p];
                     tap& taps = of[static_cast<std::size_t>(y)][static_cast<std::size_t>(p)];
-                    const int right = (turn.x * point.x - turn.y * point.y) * rho >> 6;
-                    const int up = (turn.y * point.x + turn.x * point.y) * rho >> 6;
+                    const int right = (rotation.x * point.x - rotation.y * point.y) * rho >> 6;
+                    const int up = (rotation.y * point.x + rotation.x * point.y) * rho >> 6;
                     for (const int way : {right, -right, up, -up}) farthest = way > farthest ? way : farthest;
                     for (int i = x; i < block; i += 4) {
                         taps.x[i] = right;
@@ -15049,7 +15068,7 @@ struct block_form<filters::rotated_disc> {
 namespace umbrage::detail {
 
 /// Taps that are receivers' own texels, clamped to the map: floor(coord + offset), as four taps have it. That is not
-/// floor(coord) + offset where the sum rounds up to a whole number: filters over neighbours move the texel instead.
+/// floor(coord) + offset where the sum rounds up to a whole number: filters over neighbors move the texel instead.
 struct placed_tap {
     alignas(64) std::int32_t offsets[block];
 
@@ -15139,7 +15158,7 @@ struct four_tap_blocks {
                 x += floor_magnitude(at.r.x(i) + offset.x, float(space));
                 y += floor_magnitude(at.r.y(i) + offset.y, float(space));
             }
-            at.compared[i] = x < space && y < space ? ~beyond_far_mask<test::forward>(at.r.z(i)) : 0;
+            at.compared[i] = x < space && y < space ? ~beyond_far_plane_mask<test::forward>(at.r.z(i)) : 0;
         }
     }
     template <class Isa>
@@ -15579,8 +15598,8 @@ struct block_form<filters::hierarchical_disc> {
 
 namespace umbrage::detail {
 
-/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
-/// same, so that both neighbours are in the map and one load gets them.
+/// A position clamped to the middles of the map's border texels has the same neighbors and weights that add up to the
+/// same, so that both neighbors are in the map and one load gets them.
 template <depth_direction Direction, class Map>
 struct pcf_2x2_blocks {
     using test = block_test<Direction>;
@@ -15663,7 +15682,7 @@ struct soft_blocks : disc_blocks<Direction> {
     static constexpr bool filters_again = std::is_same_v<Filter, filters::pcss>;
 
     float per_code;
-    std::int32_t least, widest;
+    std::int32_t min_radius, max_radius;
 
     /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
     static disc_table turned_points(const Filter& filter) {
@@ -15672,8 +15691,8 @@ struct soft_blocks : disc_blocks<Direction> {
     soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
         : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
           per_code(filter.softness.per_code),
-          least(static_cast<std::int32_t>(filter.softness.least)),
-          widest(static_cast<std::int32_t>(filter.softness.widest)) {}
+          min_radius(static_cast<std::int32_t>(filter.softness.min_radius)),
+          max_radius(static_cast<std::int32_t>(filter.softness.max_radius)) {}
 
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
@@ -15687,8 +15706,8 @@ private:
     }
     [[nodiscard]] UMBRAGE_INLINE std::int32_t radius(std::int32_t apart) const {
         const std::int32_t r = floor_int(static_cast<float>(apart) * per_code);
-        const std::int32_t above = r > least ? r : least;
-        return above < widest ? above : widest;
+        const std::int32_t above = r > min_radius ? r : min_radius;
+        return above < max_radius ? above : max_radius;
     }
 
     /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.
@@ -16455,7 +16474,7 @@ template <class = on_use>
 // is while the camera moves, and so does every page in it.
 //
 //     auto root = umbrage::make_page_root<double>(
-//         {.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box, .clip = clip});
+//         {.direction = d, .center = {0, 0, 0}, .side = 2400, .scene = box, .clip = clip});
 //     auto light = umbrage::page_light(root, {.level = 5, .x = 12, .y = 9}, {});  // for the depth pass of that page
 //     glm::mat4 to_root(umbrage::page_matrix(root));                              // for page_coordinate
 //
@@ -16466,7 +16485,7 @@ template <real T = float>
 struct page_root {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as pages turn with it
-    glm::vec<3, T> centre{T(0)};                   ///< of the square, world
+    glm::vec<3, T> center{T(0)};                   ///< of the square, world
     T side = T(1000);                              ///< world units, > 0
     bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers, what depth spans
     clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
@@ -16480,14 +16499,14 @@ struct page_size {
     [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
 };
 
-/// @throws std::invalid_argument  zero or non-finite direction, centre or scene that are not finite, a side not above
+/// @throws std::invalid_argument  zero or non-finite direction, center or scene that are not finite, a side not above
 ///                                0, and what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
     constexpr auto function = "make_page_root";
     detail::require_given(root.clip, function);
     detail::require_given(root.scene, function, "scene");
-    detail::require(detail::all_finite(root.centre), function, "centre", "must be finite");
+    detail::require(detail::all_finite(root.center), function, "center", "must be finite");
     detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
     light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),
                                                  root.clip.hand, function, ""),
@@ -16495,13 +16514,13 @@ template <real T = float>
                               root.clip};
     const glm::dmat4 frame = detail::light_frame(light.view, root.clip.hand);
     const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
-    const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.centre), 1)), half(double(root.side) / 2);
+    const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.center), 1)), half(double(root.side) / 2);
     const double spare =
         (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // nothing lies on a plane
     light.projection = detail::orthographic(middle - half, middle + half, depths.low.z - spare, depths.high.z + spare,
-                                            root.clip, function, "centre and side", "scene");
+                                            root.clip, function, "center and side", "scene");
     const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), root.clip};
-    return detail::checked(cast, function, "centre, side and scene");
+    return detail::checked(cast, function, "center, side and scene");
 }
 
 /// World to the root's coordinates, 1 .. 2, and depth.
@@ -16759,21 +16778,23 @@ struct msm {
 };
 
 /// Four moments for channels of 16 bits.
-struct msm_turned {
+struct msm_unorm16 {
     using texel = glm::vec4;
-    static constexpr literal name = "msm_turned";
-    static constexpr const glsl::snippet *writer = &glsl::turn_moments, *snippet = &glsl::msm_turned;
+    static constexpr literal name = "msm_unorm16";
+    static constexpr const glsl::snippet *writer = &glsl::to_optimized_moments, *snippet = &glsl::msm_unorm16;
 
     glm::vec2 bias = msm_bias_16;
     depth_direction direction = depth_direction::forward;
 
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
-        return turn_moments(encode_msm(depth, cleared_depth(direction)));
+        return to_optimized_moments(encode_msm(depth, cleared_depth(direction)));
     }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel o, float receiver) const {
-        return decode_msm(turn_moments_back(o), receiver, bias, cleared_depth(direction));
+        return decode_msm(from_optimized_moments(o), receiver, bias, cleared_depth(direction));
     }
-    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel o) const { return bias_moments(turn_moments_back(o), bias); }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel o) const {
+        return bias_moments(from_optimized_moments(o), bias);
+    }
 };
 
 /// Four moments in floats of 32 bits, of depths known to lie in [0, 1].
@@ -16796,7 +16817,7 @@ struct msm_hausdorff {
     }
 };
 
-using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff>;
+using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
 }  // namespace umbrage::prefilters
 
@@ -16858,8 +16879,8 @@ struct bilinear_block {
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
             const float x = r.x(i), y = r.y(i);
-            const std::int32_t beyond =
-                (beyond_far_mask<true>(r.z(i)) & towards_far) | (beyond_far_mask<false>(r.z(i)) & ~towards_far);
+            const std::int32_t beyond = (beyond_far_plane_mask<true>(r.z(i)) & towards_far) |
+                                        (beyond_far_plane_mask<false>(r.z(i)) & ~towards_far);
             const std::int32_t inside = texel_space_mask(x, y);
             compared[i] = inside & ~beyond;
             axis(masked(x, inside), size.x - 1, hi_x[i], left[i], right[i]);
@@ -16903,7 +16924,7 @@ UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_pla
     const float cleared = cleared_depth(filter.direction);
     for (int i = 0; i < block; ++i) {
         const glm::vec4 m = filter.moments(means[i]);
-        d[i] = forward_depth(depths[i], cleared);
+        d[i] = to_forward_depth(depths[i], cleared);
         x[i] = moment_depth(d[i]) - m.x;
         const atom_equation<float> e(m, x[i]);
         D[i] = e.D, E[i] = e.E, h[i] = e.h, a[i] = e.a, B[i] = e.B, c[i] = e.c, roots[i] = e.square;
@@ -17141,7 +17162,7 @@ private:
     }
 
     /// By how much an edge is too long: what its angle's cosine lacks to 1, or else its error; zeros where it is not.
-    /// Its ends alone decide, so that a neighbour's decides alike.
+    /// Its ends alone decide, so that a neighbor's decides alike.
     [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
         const double p = vertices_[a].distance, q = vertices_[b].distance;
         if (detail::greater(p, q) < sag_) return {0, 0};
@@ -17217,7 +17238,7 @@ private:
 ///
 /// @param mesh   triangles with a position that is not finite stay as they are
 /// @param to     how finely
-/// @return       the same surface: what shares an edge still does, without gaps, also where neighbours have positions
+/// @return       the same surface: what shares an edge still does, without gaps, also where neighbors have positions
 ///               of their own that are equal; of the same winding
 /// @throws std::invalid_argument  an angle, a range or an error out of bounds, an index out of range
 /// @formula      an edge with ends a and b from the light, g between them, is cut where g > angle, or where
@@ -17912,7 +17933,7 @@ struct spot_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
-    T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
+    T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a light's own size
     std::optional<hull> receivers{};           ///< required: box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
@@ -18017,26 +18038,26 @@ template <real T = float>
 namespace umbrage {
 
 template <real T = float>
-struct lamp {
+struct light_position {
     glm::vec<3, T> position{T(0)};
     T z_near = T(0.1);  ///< its own size, > 0: casters closer to it along the axis may be left out
 };
 
 namespace detail {
 
-/// A lamp's own view of receivers, and of casters what may stand before them.
-struct lamp_view {
+/// A light's own view of receivers, and of casters what may stand before them.
+struct axis_view {
     glm::dmat4 frame;        ///< world to x, y and the distance along the axis
     double least, farthest;  ///< distances of receivers
     polyhedron casters;
 };
 
 template <real T>
-[[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
+[[nodiscard]] axis_view view_of(const light_position<T>& from, const warp_fit<T>& fit, const char* function) {
     require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near",
             "must be above 0, finite and no denormal");
     const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
-    lamp_view v;
+    axis_view v;
     v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "from.position"), fit.clip.hand);
     const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(*fit.receivers));
     const auto [low, high] = extent_of(receivers);
@@ -18053,7 +18074,7 @@ template <real T>
 
 /// Falls back to what is right before the light where there are no receivers.
 template <real T>
-[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const lamp<T>& from, const char* function) {
+[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const light_position<T>& from, const char* function) {
     if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
     const double closest(from.z_near);
     return completed(fit,
@@ -18064,9 +18085,9 @@ template <real T>
                      function);
 }
 
-/// What the lamp sees along its axis: x, y, depth and w, of no warp.
+/// What the light sees along its axis: x, y, depth and w, of no warp.
 template <class = on_use>
-[[nodiscard]] glm::dmat4 map_along(const lamp_view& v) {
+[[nodiscard]] glm::dmat4 map_along(const axis_view& v) {
     glm::dmat4 inverse(1.0);  // of the distance: depth and w
     inverse[2] = {0, 0, 0, 1};
     inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
@@ -18074,7 +18095,7 @@ template <class = on_use>
 }
 
 template <real T>
-[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
+[[nodiscard]] warped_light<T> unwarped(const axis_view& v, const warp_fit<T>& fit, const char* function) {
     const auto light = refit(map_along(v), fit, v.casters, function);
     require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a map");
     return *light;
@@ -18084,7 +18105,7 @@ template <real T>
 }  // namespace umbrage
 
 // ---- umbrage/light/warp/light_space_perspective.hpp
-// Light-space perspective: a directional light's map, warped by a perspective across the light, whose centre lies some
+// Light-space perspective: a directional light's map, warped by a perspective across the light, whose center lies some
 // way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
@@ -18101,7 +18122,7 @@ namespace detail {
 struct along_view {
     glm::dmat4 frame;  ///< world to x, y and depth
     glm::dvec3 first;  ///< x of the camera, least y of the receivers, and the camera's depth or that of the receivers
-                       ///< next to it: planes through the warp's zero of depth and its centre need no bias, and those
+                       ///< next to it: planes through the warp's zero of depth and its center need no bias, and those
                        ///< near to them little
     double length;     ///< from their least y to the greatest
     double camera_y;
@@ -18143,7 +18164,7 @@ template <real T>
 /// Near the best on a ground.
 [[nodiscard]] inline double default_distance(const along_view& v) { return std::sqrt(v.closest * optimal_distance(v)); }
 
-/// A perspective along y whose centre lies n before the first receivers; in front of them it changes no length.
+/// A perspective along y whose center lies n before the first receivers; in front of them it changes no length.
 /// @return    world to x, y, depth and w
 /// @formula   (x, y, z) / (1 + y / n) about `first`
 template <class = on_use>
@@ -18165,7 +18186,7 @@ template <real T>
 
 }  // namespace detail
 
-/// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
+/// How far before the receivers the center of a light-space perspective has to lie so that the greatest error over the
 /// camera's frustum is least: the mildest warp that is of use.
 /// @return      world units along the camera's view, across the light, > 0; infinite where both look one way
 /// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
@@ -18182,7 +18203,7 @@ template <real T = float>
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
-/// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
+/// @param distance   n, from the warp's center to the receivers next to it, world units along the camera's view across
 ///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
 ///                   2^-14 of the receivers' extent, which stands for what is less. By default
 ///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: near the best
@@ -18371,7 +18392,7 @@ template <real T, class Instead>
     if (middle) {
         const auto [low, high] = extent_of(in_ndc);
         const glm::dvec4 y = to_ndc * glm::dvec4(frame[0][1], frame[1][1], frame[2][1], 0.0);
-        // as the stand-in has it on the camera's axis, of a lamp amid the receivers: both turn alike
+        // as the stand-in has it on the camera's axis, of a light amid the receivers: both turn alike
         const glm::dvec3 up = glm::dvec3(y) - light.w * 0.5 * (low + high) * y.w;
         const auto [rays, opening] = along_rays(image, *middle, up, in_ndc, function);
         const double share = share_of_stand_in(opening);
@@ -18423,10 +18444,11 @@ template <real T = float>
 /// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
 ///                                what fit_perspective complains of
 template <real T>
-[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const lamp<T>& from, T slide = T(1)) {
+[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const light_position<T>& from,
+                                                   T slide = T(1)) {
     constexpr auto function = "fit_perspective";
     const warp_fit<T> whole = detail::completed(fit, from, function);
-    const detail::lamp_view own = detail::view_of(from, whole, function);
+    const detail::axis_view own = detail::view_of(from, whole, function);
     return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), whole, own.casters, slide, function,
                                   own.frame, detail::map_along(own),
                                   [&] { return detail::unwarped(own, whole, function); });
@@ -18552,10 +18574,10 @@ template <real T = float>
 ///                                what fit_plane_optimal complains of
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
-                                                               const lamp<T>& from) {
+                                                               const light_position<T>& from) {
     constexpr auto function = "fit_plane_optimal";
     const warp_fit<T> whole = detail::completed(fit, from, function);
-    const detail::lamp_view own = detail::view_of(from, whole, function);
+    const detail::axis_view own = detail::view_of(from, whole, function);
     return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), whole, own.casters, plane, function);
 }
 
@@ -18692,41 +18714,41 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 )GLSL"};
 
 inline constexpr snippet forward_beyond_far{
-    .name = "beyond_far", .summary = "beyond_far, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
 )GLSL"};
 
 inline constexpr snippet reversed_beyond_far{
-    .name = "beyond_far", .summary = "beyond_far, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver < 0.0;
 }
 )GLSL"};
 
 inline constexpr snippet scaled_beyond_far{
-    .name = "beyond_far", .summary = "beyond_far, scaled", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, scaled", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return false;
 }
 )GLSL"};
 
 inline constexpr snippet forward_before_far{
-    .name = "before_far", .summary = "before_far, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    .name = "within_far_plane", .summary = "within_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }
 )GLSL"};
 
 inline constexpr snippet reversed_before_far{
-    .name = "before_far", .summary = "before_far, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    .name = "within_far_plane", .summary = "within_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver >= 0.0;
 }
 )GLSL"};
@@ -18942,7 +18964,7 @@ inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
                                               .summary = "lit_filtered, clamped",
                                               .exactness = tier::c,
                                               .within = 1.0f / 128.0f,
-                                              .needs = list<&before_far>,
+                                              .needs = list<&within_far_plane>,
                                               .role = hook::chosen,
                                               .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
@@ -18953,7 +18975,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    return umbrage_before_far(receiver) ? lit : 0.0;
+    return umbrage_within_far_plane(receiver) ? lit : 0.0;
 }
 )GLSL"};
 
@@ -18961,7 +18983,7 @@ inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
                                                .exactness = tier::c,
                                                .within = 1.0f / 128.0f,
-                                               .needs = list<&before_far, &compare, &cleared_depth>,
+                                               .needs = list<&within_far_plane, &compare, &cleared_depth>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
@@ -18975,7 +18997,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
+    return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 )GLSL"};
 
@@ -19042,9 +19064,10 @@ template <class = umbrage::detail::on_use>
         case hook::none:
         case hook::chosen: return s;
         case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
-        case hook::beyond_far:
+        case hook::beyond_far_plane:
             return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
-        case hook::before_far: return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
+        case hook::within_far_plane:
+            return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
         case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
         case hook::texel:
         case hook::fetch_depth:
@@ -19537,7 +19560,7 @@ private:
             for (const bound& item : items_) {
                 // No far plane for the shader's one map: a function, as a macro in two places confuses preprocessors of
                 // engines; and always, so that a file with such depths changes those that are pasted behind it.
-                if (of_map && keeps_macros(item) && &chosen(beyond_far, item.map) == &hooks::scaled_beyond_far)
+                if (of_map && keeps_macros(item) && &chosen(beyond_far_plane, item.map) == &hooks::scaled_beyond_far)
                     add(hooks::scaled_beyond_far, item, of_map, use);
                 for (const snippet& need : item.map.needs) add(need, item, of_map, use);
                 for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
@@ -20502,7 +20525,7 @@ template <class Use = umbrage::detail::on_use>
 //
 // Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error
 // is up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left
-// is the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out
+// is the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighboring floats decode 1 ulp out
 // of it.
 //
 
@@ -21116,7 +21139,7 @@ template <real T>
 /// @exactness     B, n = 1: one product with the rounded quotient
 template <real T>
 [[nodiscard]] constexpr T receiver_ps14(T depth) {
-    return less_equal::beyond_far(depth) ? T(-1) : depth * T(256.0 / 255.0);
+    return less_equal::beyond_far_plane(depth) ? T(-1) : depth * T(256.0 / 255.0);
 }
 
 namespace glsl {
@@ -21222,7 +21245,7 @@ template <class Use = umbrage::detail::on_use>
             .add_all({texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
                       dual_paraboloid_snippets, tetrahedron_snippets, pancake_snippets, page_table_snippets})
             // depth
-            .add_all({kinds_snippets, scalar_snippets, floor_divide_snippets, unorm_snippets})
+            .add_all({conversions_snippets, scalar_snippets, floor_divide_snippets, unorm_snippets})
             .add_writers(every_encoding)
             .add_all({rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>})
             .add_readers(every_encoding)
@@ -21240,7 +21263,7 @@ template <class Use = umbrage::detail::on_use>
             // bias, shade, view
             .add_all({light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets, kernel_snippets,
                       receiver_plane_snippets, acne_free_snippets})
-            .add_all({lighting_snippets, false_colour_snippets, overlay_texel_snippets})
+            .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets})
             .members();
     }();
     return {all.data(), all.size()};  // a conversion checks concepts
@@ -21781,10 +21804,10 @@ private:
             variables.push_back({name, type + "[" + size + "]"});
             return "var " + name + ": array<" + name_of(type) + ", " + size + ">";
         }
-        const bool initialised = next() == "=";
-        const bool changes = is_assigned(name) || !initialised;
+        const bool initialized = next() == "=";
+        const bool changes = is_assigned(name) || !initialized;
         std::string text = std::string(constant ? "const " : changes ? "var " : "let ") + name + ": " + name_of(type);
-        if (initialised) {
+        if (initialized) {
             text += expect("=");
             const value v = spaced_expression();
             if (v.type != type && !v.literal) reject(type + " " + name + " of " + v.type);

@@ -142,7 +142,7 @@ const bench::registration rows([] {
                 .theirs = glm_disc,
                 .agree = [s] { return s->close(2e-3); }});
     umbrage::filters::pcss soft;
-    soft.softness = {.per_code = 1.0f / 64, .least = 16, .widest = 96};  // boxes are some 10000 codes high
+    soft.softness = {.per_code = 1.0f / 64, .min_radius = 16, .max_radius = 96};  // boxes are some 10000 codes high
     const auto glm_pcss = [=] {
         peers::glm_code::pcss_16(s->glm_map, s->glm_receivers, bench::screen.x, 64.0f, 1.0f, 6.0f, points, s->theirs);
     };
@@ -195,8 +195,8 @@ const bench::registration rows([] {
         against_pipe("PCF 2x2", pcf_2x2{}, 8, {glsl::pcf_2x2}, "");
         for (const auto& [size, filter, with_glm] : windows)
             against_pipe(std::string("window ") + size, filter, 6, {*filter.snippet}, "");
-        against_pipe("disc of 16, turned", disc, 6, {*disc.snippet, glsl::disc_turn},
-                     ", 3.0, umbrage_disc_turn(gl_FragCoord.xy)");
+        against_pipe("disc of 16, turned", disc, 6, {*disc.snippet, glsl::disc_rotation},
+                     ", 3.0, umbrage_disc_rotation(gl_FragCoord.xy)");
     }
 #endif
 });

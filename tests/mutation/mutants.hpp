@@ -8,7 +8,7 @@
 //   direction    <  to >,   <= to >=  and back
 //   sign         + to - and back, += to -= and back, the sign of a value; a ! dropped
 //   arithmetic   * to / and back, << to >> and back, & to | and back, && to || and back
-//   order        two neighbours of a vector's constructor change places: the offset (1, 0) becomes (0, 1)
+//   order        two neighbors of a vector's constructor change places: the offset (1, 0) becomes (0, 1)
 //   channel      .x becomes .y, .z and .w, and so on
 //   call         floor, min, max, clamp, abs, sqrt, umbrage_saturate or umbrage_from_unorm becomes its first argument
 //   branches     c ? a : b becomes c ? b : a

@@ -47,7 +47,7 @@ inline constexpr std::array textures{
     named_texture{"depth", glsl::texture::depth},           named_texture{"depth_array", glsl::texture::depth_array},
     named_texture{"shadow", glsl::texture::shadow},         named_texture{"shadow_array", glsl::texture::shadow_array}};
 
-/// What a cleared map's channels are to a colour attachment, four of them; of bytes as "k / 255".
+/// What a cleared map's channels are to a color attachment, four of them; of bytes as "k / 255".
 template <umbrage::known_encoding Encoding>
 [[nodiscard]] std::array<std::string, 4> cleared_channels(const Encoding& encoding) {
     std::array<std::string, 4> channels{"0", "0", "0", "0"};

@@ -21,10 +21,10 @@ for (const language of [glsl, hlsl, msl, wgsl]) if (!language.text([pcf_2x2]).in
 const map = encodings.rg11;
 console.log(source('300 es', [bind(hard, 'sun', map), bind(pcf_2x2, 'sun', map)], 'precision highp float;') + \`
 uniform highp sampler2D map;
-out vec4 colour;
+out vec4 color;
 void main() {
     vec2 coord = gl_FragCoord.xy * 0.5;
-    colour = vec4(umbrage_hard_sun(map, vec2(4.0), coord, 0.5), umbrage_pcf_2x2_sun(map, vec2(4.0), coord, 0.5), 0.0, 1.0);
+    color = vec4(umbrage_hard_sun(map, vec2(4.0), coord, 0.5), umbrage_pcf_2x2_sun(map, vec2(4.0), coord, 0.5), 0.0, 1.0);
 }\`);
 `;
 

@@ -59,7 +59,7 @@ inline constexpr option options[]{
     {"UMBRAGE_FETCH(map, size, texel)", "depth of a texel, in place of .x: for packed depths"},
     {"UMBRAGE_OUTSIDE_LIT", "outside the map all is lit; without it the nearest texel inside counts"},
     {"UMBRAGE_REVERSED", "depth is 1.0 at the near plane and 0.0 at the far plane"},
-    {"UMBRAGE_LIT(receiver, stored)", "1.0 for a lit receiver, else 0.0"},
+    {"UMBRAGE_COMPARE(receiver, stored)", "1.0 for a lit receiver, else 0.0"},
     {"UMBRAGE_BEYOND_FAR(receiver)", "whether a receiver is behind the far plane"}};
 
 /// What a text lets its user define in front.
@@ -103,7 +103,7 @@ inline std::string targets_of(const snippet& s) {
         if (s != *type::writer && s != *type::snippet) return;
         int count = 1;
         if constexpr (!std::is_same_v<typename type::texel, float>) count = type::texel::length();
-        const bool unorm = type::name == std::string_view("msm_turned");
+        const bool unorm = type::name == std::string_view("msm_unorm16");
         out += comment("Render target of " + std::string(type::name) + ": " + std::string(channels[count - 1]) +
                        (unorm ? "16 UNORM," : "32F,") + target + "umbrage_" + std::string(type::writer->name) +
                        (unorm ? " of umbrage_encode_msm" : "") + " of the far plane's depth.");
@@ -193,7 +193,7 @@ inline std::vector<pasted> for_comparison_samplers() {
         all.push_back({std::string(s->name) + "_shadow", s->summary, {bind(*s, "shadow", shadow)}});
     all.push_back({"pcss_hardware16_shadow",
                    "percentage-closer soft shadows (PCSS) at 16 points, one texture bound to two samplers",
-                   {glsl::disc_turn, glsl::pcss_radius,
+                   {glsl::disc_rotation, glsl::pcss_radius,
                     bind(glsl::blockers_hardware<16>, "depths", {.texture = glsl::texture::depth}),
                     bind(glsl::disc_hardware<16>, "shadow", shadow)}});
     return all;

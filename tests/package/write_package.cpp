@@ -47,8 +47,8 @@ std::string_view role(glsl::hook h) {
     switch (h) {
         case glsl::hook::none: return "none";
         case glsl::hook::cleared_depth: return "cleared_depth";
-        case glsl::hook::beyond_far: return "beyond_far";
-        case glsl::hook::before_far: return "before_far";
+        case glsl::hook::beyond_far_plane: return "beyond_far_plane";
+        case glsl::hook::within_far_plane: return "within_far_plane";
         case glsl::hook::compare: return "compare";
         case glsl::hook::texel: return "texel";
         case glsl::hook::fetch_depth: return "fetch_depth";
@@ -204,6 +204,7 @@ int main(int argc, char** argv) {
     if (argc != 3) return 2;
     try {
         const std::filesystem::path templates = argv[1], folder = argv[2];
+        std::filesystem::remove_all(folder / "shaders");  // those of snippets that are no more, too
         package::write_shaders(folder / "shaders", package::copyright(templates / "../../LICENSE"));
         const std::string module = package::filled(
             templates / "umbrage.mjs.in", {{"@version@", package::version}, {"@data@", package::module_data()}});

@@ -47,7 +47,7 @@ using mat4 = glm::mat<4, 4, glsl_float>;
 /// What a call is given, and what it gives.
 inline vec4 given(glm::vec4 v) { return {given(v.x), given(v.y), given(v.z), given(v.w)}; }
 
-/// Of four values around `at`, whose texels' centres lie at whole numbers.
+/// Of four values around `at`, whose texels' centers lie at whole numbers.
 template <class Value>
 [[nodiscard]] float weighted(glm::dvec2 at, Value&& value) {
     const glm::dvec2 first = floor(at), weight = at - first;

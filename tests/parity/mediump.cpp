@@ -66,7 +66,7 @@ highp float thrice(highp float v) {
     return run(b, v, thrice, "vec4(thrice(x0.x))", {vec4(third)}).front().x == third + third + third;
 }
 
-/// Codes wrong at the lower edge, the centre and the upper edge; half depths whose channels are wrong, as floats or as
+/// Codes wrong at the lower edge, the center and the upper edge; half depths whose channels are wrong, as floats or as
 /// bytes.
 struct faults {
     std::array<int, 3> codes{};
@@ -128,10 +128,10 @@ int look_at_all() {
             std::cout << "GLSL " << directive(v) << ": a result of 24 bits is rounded on its way out\n";
         }
         std::cout << "GLSL " << directive(v) << ", mediump at 16 bits\n"
-                  << "bits   codes   wrong: lower   centre   upper edge   half depths wrong\n";
+                  << "bits   codes   wrong: lower   center   upper edge   half depths wrong\n";
         wrong += look<9>(b, v) != faults{};
         wrong += look<10>(b, v) != faults{};
-        wrong += look<11>(b, v) != faults{{0, 1024, 0}, 0};  // half of the centres need a twelfth bit
+        wrong += look<11>(b, v) != faults{{0, 1024, 0}, 0};  // half of the centers need a twelfth bit
         wrong += look<12>(b, v).codes[0] == 0;               // one bit more does not fit
     }
     std::cout << wrong << " surprises\n";

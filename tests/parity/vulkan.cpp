@@ -29,7 +29,7 @@ namespace {
 struct render_target {
     vk::Format format;
     vk::raii::RenderPass pass = nullptr;
-    picture colour{};
+    picture color{};
     vk::raii::Framebuffer frame = nullptr;
 };
 
@@ -120,15 +120,15 @@ public:
         const int height = rows(j.count);
         const bool bytes = j.what->output == target::rgba8;
         render_target& t = targets_[bytes ? 1 : 0];
-        if (t.colour.what.size.y != height) {
+        if (t.color.what.size.y != height) {
             using use = vk::ImageUsageFlagBits;
             t.frame = nullptr;
-            t.colour = make_picture(t.format, {.size = {width, height}},
-                                    (draws_ ? use::eColorAttachment : use::eStorage) | use::eTransferSrc);
+            t.color = make_picture(t.format, {.size = {width, height}},
+                                   (draws_ ? use::eColorAttachment : use::eStorage) | use::eTransferSrc);
             if (draws_)
                 t.frame = {device_, vk::FramebufferCreateInfo{.renderPass = *t.pass,
                                                               .attachmentCount = 1,
-                                                              .pAttachments = &*t.colour.view,
+                                                              .pAttachments = &*t.color.view,
                                                               .width = width,
                                                               .height = static_cast<std::uint32_t>(height),
                                                               .layers = 1}};
@@ -142,7 +142,7 @@ public:
 
         if (!draws_)  // the set has one target at a time
             describe(target_binding, vk::DescriptorType::eStorageImage,
-                     {.imageView = *t.colour.view, .imageLayout = vk::ImageLayout::eGeneral});
+                     {.imageView = *t.color.view, .imageLayout = vk::ImageLayout::eGeneral});
 
         const std::size_t size = static_cast<std::size_t>(width * height) * (bytes ? 4 : sizeof(vec4));
         reserve(staging_, size);
@@ -150,8 +150,8 @@ public:
             if (draws_) draw(t, height);
             else compute(height);
             barrier();
-            commands_.copyImageToBuffer(*t.colour.image, vk::ImageLayout::eGeneral, *staging_.handle,
-                                        whole(t.colour.what));
+            commands_.copyImageToBuffer(*t.color.image, vk::ImageLayout::eGeneral, *staging_.handle,
+                                        whole(t.color.what));
         });
         std::vector<vec4> result(count);
         if (bytes) {

@@ -69,7 +69,7 @@ async function draw() {
         return id;
     }
 
-    function colour(c, size, type) {
+    function color(c, size, type) {
         const gl = c.gl, id = gl.createTexture();
         gl.bindTexture(gl.TEXTURE_2D, id);
         parameters(gl, gl.TEXTURE_2D, false);
@@ -127,9 +127,9 @@ async function draw() {
         gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
         if (target.height !== height) {
             gl.activeTexture(gl.TEXTURE0 + job.spare_unit);
-            gl.deleteTexture(target.colour);
-            target.colour = colour(c, job.size, type);
-            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target.colour, 0);
+            gl.deleteTexture(target.color);
+            target.color = color(c, job.size, type);
+            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target.color, 0);
             const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
             if (status !== gl.FRAMEBUFFER_COMPLETE) throw new Error('incomplete target');
             gl.bindTexture(gl.TEXTURE_2D, null);

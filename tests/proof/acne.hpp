@@ -150,7 +150,7 @@ void for_each_decoder(umbrage::depth_direction direction, Use&& use) {
     umbrage::for_each_encoding([&](auto encoding) {
         encoding.direction = direction;
         if constexpr (umbrage::has_edge<decltype(encoding)>)
-            for (float edge : {umbrage::lower_edge<float>, umbrage::centre<float>, umbrage::upper_edge<float>}) {
+            for (float edge : {umbrage::lower_edge<float>, umbrage::center<float>, umbrage::upper_edge<float>}) {
                 encoding.edge = edge;
                 use(encoding);
             }

@@ -109,10 +109,10 @@ template <class Encoding>
         const double depth = nan || given >= 1.0f ? 1.0 : given > 0.0f ? double(given) : 0.0;
         const auto texel = encoding.encode(given);
         const float upper = decode(encoding, texel, 1.0f), lower = decode(encoding, texel, 0.0f);
-        const double centre = decode(encoding, texel, 0.5);
+        const double center = decode(encoding, texel, 0.5);
         const bool good = texel == of_code(encoding, code_of(given, Encoding::bits)) && table_agrees(encoding, given) &&
                           lower <= depth && depth <= upper && depth - lower <= step && upper - depth <= step &&
-                          std::abs(centre - depth) <= step / 2 && (depth < 1.0 || upper == 1.0f) &&
+                          std::abs(center - depth) <= step / 2 && (depth < 1.0 || upper == 1.0f) &&
                           (nan || previous <= upper);
         failures += !good;
         previous = nan ? 0.0f : upper;
@@ -156,7 +156,7 @@ template <class Encoding>
 using is_foreign = std::bool_constant<!umbrage::has_edge<Encoding> && (Encoding{}.error().above > 0)>;
 using foreign = encodings_that<is_foreign>;
 
-/// What a format does wrong: pairs of neighbours among all floats, and in the lattice, that decode out of order, where
+/// What a format does wrong: pairs of neighbors among all floats, and in the lattice, that decode out of order, where
 /// the store rounds and where it truncates; what 1 decodes to.
 struct faults {
     std::array<std::uint64_t, 2> disorder_of_floats{0, 0}, disorder_of_lattice{0, 0};

@@ -40,7 +40,7 @@ TEST_CASE_TEMPLATE_DEFINE("encode_*, decode_*: the ends of every class of floats
 TEST_CASE_TEMPLATE_APPLY(own_ends, proof::own_encodings);
 
 TEST_CASE(
-    "upper edge: the cleared depth decodes to 1, and nothing shadows itself through quantisation; lower edges do") {
+    "upper edge: the cleared depth decodes to 1, and nothing shadows itself through quantization; lower edges do") {
     for (float cleared : {1.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
         CHECK(umbrage::decode_rg<11>(proof::stored(umbrage::encode_rg<11>(cleared), proof::unorm_store::truncates),
                                      1.0f) == 1.0f);

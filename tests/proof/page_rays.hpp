@@ -59,7 +59,7 @@ public:
             const float reach = filter.reach() + 1.0f;
             if (is_near_edge(glm::vec3(at.x, at.y, in_root.z), reach)) continue;
             const float rounding = std::ldexp(float(size_.texels), level - 20);  // of coordinates
-            const float bias = acne_free_bias(slope(own), filter, encoding, snapping_reach<float> + rounding);
+            const float bias = acne_free_bias(slope(own), filter, encoding, rasterizer_snap<float> + rounding);
             const std::optional<bool> is_lit = told_by_rays(p, own, bias, filter.reach());
             if (!is_lit) continue;
             ++at_level[std::size_t(level)];

@@ -178,7 +178,7 @@ public:
         const auto planes = umbrage::plane_matrix(umbrage::texture_matrix(faces_[face], glm::ivec2(size)));
         const glm::vec2 slope = umbrage::plane_slope(planes, glm::vec3(normal), glm::vec3(p));
         return double(
-            umbrage::acne_free_bias(slope, float(reach) + umbrage::snapping_reach<float> + 0x1p-10f, 0x1p-22f));
+            umbrage::acne_free_bias(slope, float(reach) + umbrage::rasterizer_snap<float> + 0x1p-10f, 0x1p-22f));
     }
 
 private:

@@ -93,7 +93,7 @@ public:
             }
             if (!within(at.x, reach) || !within(at.y, reach) || is_near_edge(at, reach)) continue;
             const float bias =
-                acne_free_bias(slope(own), filter, encoding, snapping_reach<float> + 0x1p-10f) + rounding(p);
+                acne_free_bias(slope(own), filter, encoding, rasterizer_snap<float> + 0x1p-10f) + rounding(p);
             const std::optional<bool> is_lit = told_by_rays(p, own, bias, filter.reach());
             if (!is_lit) continue;
             ++(*is_lit ? found.lit : found.shadowed);
@@ -239,7 +239,7 @@ protected:
             const double before = blocked_by(k, p);
             if (std::isnan(before)) continue;
             if (!(std::abs(before) >
-                  double(umbrage::detachment(bias, slope(k), reach + umbrage::snapping_reach<float>))))
+                  double(umbrage::peter_panning_distance(bias, slope(k), reach + umbrage::rasterizer_snap<float>))))
                 return std::nullopt;
             is_lit = is_lit && before <= 0.0;
         }

@@ -8,7 +8,7 @@
 //     float bias = umbrage::acne_free_bias(slope, filter, umbrage::rg<11>{});
 //     float visibility = filter(fetch, glm::vec2(p), umbrage::biased(p.z, bias, filter.is_lit));
 //
-// A filter compares a receiver with depths of its plane at centres of texels that lie up to its reach away, in x and in
+// A filter compares a receiver with depths of its plane at centers of texels that lie up to its reach away, in x and in
 // y: there the plane may be nearer by reach (|a| + |b|), and what is stored of it nearer still by the encoding's error.
 // That much is needed, and no more: with 9/10 of it some receiver is dark.
 #pragma once
@@ -30,19 +30,19 @@ namespace umbrage {
 ///                        (SUBPIXEL_BITS); WebGL, WebGPU and Metal state none
 /// @formula               4 times the greatest move, half a step of 2^-SubTexelBits texel
 template <real T, int SubTexelBits = 8>
-inline constexpr T snapping_reach = T(2) / T(1 << SubTexelBits);
+inline constexpr T rasterizer_snap = T(2) / T(1 << SubTexelBits);
 
 /// The smallest bias in depth without acne, for filters that read whole rows and columns.
 ///
 /// @param slope   change of the receiver's depth from one texel to the next, in x and y: plane_slope, receiver_plane
 /// @param reach   of the filter, texels; with coordinates that round, 2^-12 more for 4096 texels, and in proportion;
-///                snapping_reach more where a rasterizer has moved vertices
+///                rasterizer_snap more where a rasterizer has moved vertices
 /// @param error   how far a decoded depth may lie before the true one: decoding_error::below, where depth is reversed
 ///                above; of a UNORM depth texture 1/2 / (2^bits - 1)
 /// @return        0 .. 1; 1, with which nothing is in shadow, for slopes and reaches that are infinite, and for NaN
 /// @formula       reach (|slope.x| + |slope.y|) + error + 2^-23, the last for rounding in binary32 of depth once it is
 ///                there; what a matrix in floats lost of it before, some 2^-22 of a z/w near 1, is to be added to error
-/// @detaches      casters nearer to the receiver than detachment() lose their shadow
+/// @detaches      casters nearer to the receiver than peter_panning_distance() lose their shadow
 /// @exactness     B, n = 4
 template <real T>
 [[nodiscard]] constexpr T acne_free_bias(glm::vec<2, T> slope, T reach, T error) {
@@ -66,7 +66,7 @@ template <real T>
 }
 
 /// The smallest bias for a filter over a map of an encoding, whose direction of depth says which of its errors counts.
-/// @param more   what the reach is to grow by, texels: snapping_reach, rounding of coordinates
+/// @param more   what the reach is to grow by, texels: rasterizer_snap, rounding of coordinates
 [[nodiscard]] constexpr float acne_free_bias(glm::vec2 slope, const known_filter auto& filter,
                                              const known_encoding auto& encoding, float more = 0.0f) {
     const decoding_error both = encoding.error();
@@ -88,7 +88,7 @@ template <real T>
 ///                       light: in world units at most sqrt(2) reach texel tan(t) sin(t)
 /// @exactness            B, n = 4
 template <real T>
-[[nodiscard]] constexpr T detachment(T bias, glm::vec<2, T> caster_slope, T reach) {
+[[nodiscard]] constexpr T peter_panning_distance(T bias, glm::vec<2, T> caster_slope, T reach) {
     return acne_free_bias(caster_slope, reach, bias);
 }
 
@@ -134,24 +134,24 @@ UMBRAGE_HIGHP float umbrage_acne_free_disc_bias(UMBRAGE_HIGHP vec2 slope, UMBRAG
 )GLSL",
 };
 
-inline constexpr snippet detachment{
-    .name = "detachment",
+inline constexpr snippet peter_panning_distance{
+    .name = "peter_panning_distance",
     .summary = "depth before a receiver within which its bias loses a caster's shadow",
     .exactness = tier::b,
     .operations = 4,
     .needs = list<&acne_free_bias>,
     .source = R"GLSL(
-// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+// umbrage_peter_panning_distance: a caster nearer to the receiver loses its shadow, or a part of it; depth, 0.0 to 1.0
 //   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
 //   reach  of the filter, texels
-UMBRAGE_HIGHP float umbrage_detachment(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP vec2 caster_slope,
+UMBRAGE_HIGHP float umbrage_peter_panning_distance(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP vec2 caster_slope,
                                        UMBRAGE_HIGHP float reach) {
     return umbrage_acne_free_bias(caster_slope, reach, bias);
 }
 )GLSL",
 };
 
-inline constexpr const snippet* acne_free_snippets[]{&acne_free_bias, &acne_free_disc_bias, &detachment};
+inline constexpr const snippet* acne_free_snippets[]{&acne_free_bias, &acne_free_disc_bias, &peter_panning_distance};
 
 }  // namespace glsl
 }  // namespace umbrage

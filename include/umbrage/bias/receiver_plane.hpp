@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The receiver's own plane: every texel is compared with the depth that the plane has at the texel's centre, so that no
+// The receiver's own plane: every texel is compared with the depth that the plane has at the texel's center, so that no
 // reach of a filter needs a bias. The slope comes from the plane (plane_slope), or from derivatives across the screen.
 //
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
-//     float visibility = filter(umbrage::on_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
+//     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
 // In GLSL with both as globals, ahead of the filter:
 //
-//     #define STORED(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
-//     #define UMBRAGE_FETCH(map, size, texel) umbrage_on_receiver_plane(STORED(map, size, texel), slope, coord, texel)
+//     #define STORED(map, size, at) umbrage_fetch_clamped(map, size, at).x
+//     #define UMBRAGE_FETCH(map, size, at) umbrage_apply_receiver_plane(STORED(map, size, at), slope, coord, at)
 //
 #pragma once
 
@@ -25,7 +25,7 @@
 
 namespace umbrage {
 
-/// The plane through a receiver and its neighbours on the screen.
+/// The plane through a receiver and its neighbors on the screen.
 ///
 /// @param dx, dy   derivatives of (x and y in texels, depth) along the screen: dFdx, dFdy, taken outside of branches
 /// @return         x, y: change of depth from one texel to the next, as plane_slope; z: how far the sum of both may be
@@ -37,7 +37,7 @@ namespace umbrage {
 /// @exactness      C, n = 31: divisions
 /// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> receiver_plane(glm::vec<3, T> dx, glm::vec<3, T> dy) {
+[[nodiscard]] constexpr glm::vec<3, T> receiver_plane_slope(glm::vec<3, T> dx, glm::vec<3, T> dy) {
     const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
     const T determinant = dx.x * dy.y + dx.y * -dy.x;
     const T sum = magnitude(dx.x) + magnitude(dx.y) + magnitude(dy.x) + magnitude(dy.y);
@@ -60,8 +60,8 @@ template <real T>
 /// @formula        stored - slope . (texel + 1/2 - coord)
 /// @exactness      B, n = 8
 template <real T>
-[[nodiscard]] constexpr T on_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord, glm::vec<2, T> texel,
-                                            T cleared = T(1)) {
+[[nodiscard]] constexpr T apply_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord,
+                                               glm::vec<2, T> texel, T cleared = T(1)) {
     const T x = texel.x + T(0.5) - coord.x, y = texel.y + T(0.5) - coord.y;
     const T before = stored - cleared;
     const bool is_cleared = before < T(0x1p-64) && before > T(-0x1p-64);
@@ -72,25 +72,25 @@ template <real T>
 /// @param fetch       ivec2 texel -> stored depth;   coord  that the filter is called with
 /// @param direction   of the map's depth, which says what it is cleared to
 template <std::invocable<glm::ivec2> Fetch>
-[[nodiscard]] auto on_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
-                                     depth_direction direction = depth_direction::forward) {
+[[nodiscard]] auto apply_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
+                                        depth_direction direction = depth_direction::forward) {
     return [=, cleared = cleared_depth(direction)](glm::ivec2 texel) {
-        return on_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), cleared);
+        return apply_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), cleared);
     };
 }
 
 namespace glsl {
 
-inline constexpr snippet receiver_plane{
-    .name = "receiver_plane",
+inline constexpr snippet receiver_plane_slope{
+    .name = "receiver_plane_slope",
     .summary = "slope of a receiver's plane from derivatives, and how far it may be off",
     .exactness = tier::c,
     .operations = 31,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
-// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
 //   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
-UMBRAGE_HIGHP vec3 umbrage_receiver_plane(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
+UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float along_x = dy.y * dx.z + dx.y * -dy.z;
@@ -106,16 +106,16 @@ UMBRAGE_HIGHP vec3 umbrage_receiver_plane(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP v
 )GLSL",
 };
 
-inline constexpr snippet on_receiver_plane{
-    .name = "on_receiver_plane",
+inline constexpr snippet apply_receiver_plane{
+    .name = "apply_receiver_plane",
     .summary = "stored depth moved along the receiver's plane to the receiver",
     .exactness = tier::b,
     .operations = 8,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
 //   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
-UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
                                               UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
@@ -125,7 +125,7 @@ UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAG
 )GLSL",
 };
 
-inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane, &on_receiver_plane};
+inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane_slope, &apply_receiver_plane};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -6,8 +6,8 @@
 //
 // Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or
 // comparison where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either
-// side is in shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far before they
-// compare.
+// side is in shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far_plane
+// before they compare.
 #pragma once
 
 #include <umbrage/core/clip_space.hpp>
@@ -24,7 +24,7 @@ struct less_equal {
         return !is_nan(receiver) && !is_nan(stored) && receiver <= stored;
     }
     template <real T>
-    [[nodiscard]] static constexpr bool beyond_far(T receiver) {
+    [[nodiscard]] static constexpr bool beyond_far_plane(T receiver) {
         return !is_nan(receiver) && receiver > T(1);
     }
     template <real T>
@@ -40,7 +40,7 @@ struct greater_equal {
         return !is_nan(receiver) && !is_nan(stored) && receiver >= stored;
     }
     template <real T>
-    [[nodiscard]] static constexpr bool beyond_far(T receiver) {
+    [[nodiscard]] static constexpr bool beyond_far_plane(T receiver) {
         return !is_nan(receiver) && receiver < T(0);
     }
     template <real T>
@@ -53,7 +53,7 @@ struct greater_equal {
 /// receivers beyond it come in as what every texel lights.
 struct less_equal_scaled : less_equal {
     template <real T>
-    [[nodiscard]] static constexpr bool beyond_far(T) {
+    [[nodiscard]] static constexpr bool beyond_far_plane(T) {
         return false;
     }
 };
@@ -68,9 +68,9 @@ struct comparison {
                                                      : greater_equal{}(receiver, stored);
     }
     template <real T>
-    [[nodiscard]] constexpr bool beyond_far(T receiver) const {
-        return direction == depth_direction::forward ? less_equal::beyond_far(receiver)
-                                                     : greater_equal::beyond_far(receiver);
+    [[nodiscard]] constexpr bool beyond_far_plane(T receiver) const {
+        return direction == depth_direction::forward ? less_equal::beyond_far_plane(receiver)
+                                                     : greater_equal::beyond_far_plane(receiver);
     }
     template <real T>
     [[nodiscard]] constexpr T towards_light(T depth, T by) const {
@@ -82,16 +82,16 @@ struct comparison {
 /// True for receivers behind the far plane, where no map reaches; never for a comparison on a scale of its own.
 /// @exactness     A
 template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr bool beyond_far(T receiver, const Compare& is_lit = {}) {
-    if constexpr (requires { is_lit.beyond_far(receiver); }) return is_lit.beyond_far(receiver);
+[[nodiscard]] constexpr bool beyond_far_plane(T receiver, const Compare& is_lit = {}) {
+    if constexpr (requires { is_lit.beyond_far_plane(receiver); }) return is_lit.beyond_far_plane(receiver);
     else return false;
 }
 
-/// True for receivers up to the far plane; false beyond it, and for NaN, which neither beyond_far nor this is true of.
+/// True for receivers up to the far plane; false beyond it. For NaN neither this nor beyond_far_plane is true.
 /// @exactness     A
 template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr bool before_far(T receiver, const Compare& is_lit = {}) {
-    return !is_nan(receiver) && !beyond_far(receiver, is_lit);
+[[nodiscard]] constexpr bool within_far_plane(T receiver, const Compare& is_lit = {}) {
+    return !is_nan(receiver) && !beyond_far_plane(receiver, is_lit);
 }
 
 /// Visibility of one comparison.
@@ -126,11 +126,11 @@ template <real T>
 
 namespace glsl {
 
-inline constexpr snippet beyond_far{
-    .name = "beyond_far",
+inline constexpr snippet beyond_far_plane{
+    .name = "beyond_far_plane",
     .summary = "receivers behind the far plane",
     .exactness = tier::a,
-    .role = hook::beyond_far,
+    .role = hook::beyond_far_plane,
     .source = R"GLSL(
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
@@ -140,25 +140,25 @@ inline constexpr snippet beyond_far{
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 )GLSL",
 };
 
-inline constexpr snippet before_far{
-    .name = "before_far",
+inline constexpr snippet within_far_plane{
+    .name = "within_far_plane",
     .summary = "receivers up to the far plane, NaN is none",
     .exactness = tier::a,
-    .needs = list<&beyond_far>,
-    .role = hook::before_far,
+    .needs = list<&beyond_far_plane>,
+    .role = hook::within_far_plane,
     .source = R"GLSL(
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     // a sum of choices, not an or of comparisons, which compilers take for true
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
 }
 )GLSL",
 };
@@ -169,17 +169,17 @@ inline constexpr snippet compare{
     .exactness = tier::a,
     .role = hook::compare,
     .source = R"GLSL(
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_LIT
+// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_COMPARE
 #ifdef UMBRAGE_REVERSED
-#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
 #else
-#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
 #endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_LIT(receiver, stored);
+    return UMBRAGE_COMPARE(receiver, stored);
 }
 )GLSL",
 };
@@ -214,7 +214,7 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 )GLSL",
 };
 
-inline constexpr const snippet* compare_snippets[]{&beyond_far, &before_far, &compare, &compare_dx_sdk,
+inline constexpr const snippet* compare_snippets[]{&beyond_far_plane, &within_far_plane, &compare, &compare_dx_sdk,
                                                    &compare_exercise};
 
 }  // namespace glsl

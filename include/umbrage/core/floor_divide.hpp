@@ -22,28 +22,28 @@ namespace umbrage {
 /// @formula     q - [q b > a], then one more where that leaves b or more of a
 /// @exactness   A: a product of 2^24 or more is beyond a, however it rounds
 template <real T>
-[[nodiscard]] constexpr T mend_quotient(T q, T a, T b) {
+[[nodiscard]] constexpr T correct_quotient(T q, T a, T b) {
     const T low = q * b > a ? q - T(1) : q;
     return (low + T(1)) * b <= a ? low + T(1) : low;
 }
 
 /// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24;   their quotient at most 2^18
 /// @return      floor(a / b)
-/// @exactness   A: with a quotient up to 8 ulp off, less than 1 in so small a one, mend_quotient has all it needs
+/// @exactness   A: with a quotient up to 8 ulp off, less than 1 in so small a one, correct_quotient has all it needs
 template <real T>
 [[nodiscard]] T floor_divide(T a, T b) {
-    return mend_quotient(std::floor(a / b), a, b);
+    return correct_quotient(std::floor(a / b), a, b);
 }
 
 namespace glsl {
 
-inline constexpr snippet mend_quotient{
-    .name = "mend_quotient",
+inline constexpr snippet correct_quotient{
+    .name = "correct_quotient",
     .summary = "a quotient of whole numbers, from one at most one off",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
     return (low + 1.0) * b <= a ? low + 1.0 : low;
 }
@@ -54,16 +54,16 @@ inline constexpr snippet floor_divide{
     .name = "floor_divide",
     .summary = "whole numbers divided and rounded down, whatever the division's error",
     .exactness = tier::a,
-    .needs = list<&mend_quotient>,
+    .needs = list<&correct_quotient>,
     .source = R"GLSL(
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }
 )GLSL",
 };
 
-inline constexpr const snippet* floor_divide_snippets[]{&mend_quotient, &floor_divide};
+inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floor_divide};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -57,8 +57,8 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
 enum class hook {
     none,
     cleared_depth,
-    beyond_far,
-    before_far,
+    beyond_far_plane,
+    within_far_plane,
     compare,
     texel,
     fetch_depth,

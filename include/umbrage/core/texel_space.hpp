@@ -29,11 +29,11 @@ template <real T>
 
 /// Whether a filter compares a receiver at all. Two kinds are lit without: coordinates outside texel space, and depths
 /// beyond the far plane.
-/// @param is_lit   the comparison; one without beyond_far has no far plane
+/// @param is_lit   the comparison; one without beyond_far_plane has no far plane
 /// @exactness      A
 template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
-    return inside_texel_space(coord) && !beyond_far(receiver, is_lit);
+[[nodiscard]] constexpr bool in_filter_domain(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
+    return inside_texel_space(coord) && !beyond_far_plane(receiver, is_lit);
 }
 
 /// Stored depth of a texel: the fetch callable of every filter, by name.
@@ -103,16 +103,16 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 )GLSL",
 };
 
-inline constexpr snippet is_compared{
-    .name = "is_compared",
+inline constexpr snippet in_filter_domain{
+    .name = "in_filter_domain",
     .summary = "receivers that a filter compares; it takes the others as lit",
     .exactness = tier::a,
-    .needs = list<&inside_texel_space, &beyond_far>,
+    .needs = list<&inside_texel_space, &beyond_far_plane>,
     .source = R"GLSL(
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 )GLSL",
 };
@@ -193,8 +193,8 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL",
 };
 
-inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, &inside_texel_space,
-                                                       &is_compared, &lit,      &lit_2x2};
+inline constexpr const snippet* texel_space_snippets[]{&fetch_depth,      &depth_at, &inside_texel_space,
+                                                       &in_filter_domain, &lit,      &lit_2x2};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -2,7 +2,7 @@
 //
 // Between integer channels 0..255 and what an 8-bit render target takes and gives.
 //
-//     vec4 colour = umbrage_to_unorm(channels);    // writing: the same byte whether the store rounds or truncates
+//     vec4 color = umbrage_to_unorm(channels);     // writing: the same byte whether the store rounds or truncates
 //     vec4 channels = umbrage_from_unorm(texel);   // reading: whole numbers, however the driver divides by 255
 //
 #pragma once

@@ -15,11 +15,11 @@
 namespace umbrage {
 
 /// Where in a code's interval [x, x + 1) * 2^-Bits a decoder answers. With the upper edge no surface shadows itself
-/// through quantisation alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
+/// through quantization alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
 template <real T>
 inline constexpr T lower_edge = T(0);
 template <real T>
-inline constexpr T centre = T(0.5);
+inline constexpr T center = T(0.5);
 template <real T>
 inline constexpr T upper_edge = T(1);
 
@@ -36,9 +36,9 @@ template <int Bits, real T>
 }
 
 /// @param code    0 .. 2^Bits - 1
-/// @param edge    lower_edge, centre or upper_edge
+/// @param edge    lower_edge, center or upper_edge
 /// @return        (code + edge) 2^-Bits
-/// @exactness     A, but for the centre of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
+/// @exactness     A, but for the center of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
 template <int Bits, real T>
 [[nodiscard]] constexpr T from_code(T code, T edge) {
     return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));

@@ -291,7 +291,7 @@ UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z
 )GLSL",
 };
 
-inline constexpr const auto& kinds_snippets =
+inline constexpr const auto& conversions_snippets =
     list<&linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
          &depth_from_view_z, &view_z_from_reversed_depth, &reversed_depth_from_view_z, &view_z_from_orthographic_depth,
          &orthographic_depth_from_view_z>;

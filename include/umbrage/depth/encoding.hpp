@@ -54,7 +54,7 @@ concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
     { e.cleared() } -> std::same_as<typename Encoding::texel>;            // an empty map's: decodes to the far plane
 };
 
-/// Whether the reader asks which place of a code's interval it shall answer: lower_edge, centre or upper_edge.
+/// Whether the reader asks which place of a code's interval it shall answer: lower_edge, center or upper_edge.
 template <class Encoding>
 concept has_edge = requires(Encoding e) {
     { e.edge } -> std::convertible_to<float>;
@@ -74,7 +74,7 @@ consteval bool is_encoding() {
     return true;
 }
 
-/// The edge on whose side no surface shadows itself through quantisation alone.
+/// The edge on whose side no surface shadows itself through quantization alone.
 [[nodiscard]] constexpr float safe_edge(depth_direction direction) {
     return direction == depth_direction::forward ? 1.0f : 0.0f;
 }

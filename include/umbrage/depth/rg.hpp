@@ -39,10 +39,10 @@ template <int Bits, real T>
 /// Values read from an 8-bit texture to depth.
 ///
 /// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, centre or upper_edge of the code's interval
+/// @param edge    lower_edge, center or upper_edge of the code's interval
 /// @return        depth; channels that no encoder wrote give the formula's value all the same, below 3/2
 /// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
-/// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the centre
+/// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the center
 template <int Bits, real T>
 [[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
@@ -87,7 +87,7 @@ template <int Bits>
 [[nodiscard]] std::string decode_rg_text() {
     return detail::filled(R"GLSL(
 // umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);

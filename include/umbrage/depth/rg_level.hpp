@@ -39,7 +39,7 @@ template <int Bits, real T>
 template <int Bits, real T>
 [[nodiscard]] T receiver_rg(T depth, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
-    if (less_equal::beyond_far(depth)) return T(-1);
+    if (less_equal::beyond_far_plane(depth)) return T(-1);
     return (std::ceil(depth * T(1 << Bits) - edge) - T(0.5)) * T(1.0 / 255.0);
 }
 

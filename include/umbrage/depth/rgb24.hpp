@@ -31,7 +31,7 @@ template <real T>
 /// Values read from an 8-bit texture to depth.
 ///
 /// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge; the centre is exact in double only
+/// @param edge    lower_edge or upper_edge; the center is exact in double only
 /// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-24
 template <real T>
@@ -95,7 +95,7 @@ struct rgb24 {
     static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
 
     depth_direction direction = depth_direction::forward;
-    float edge = detail::safe_edge(direction);  ///< that decoding answers; the centre rounds from code 2^23 on
+    float edge = detail::safe_edge(direction);  ///< that decoding answers; the center rounds from code 2^23 on
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }

@@ -26,7 +26,7 @@ namespace umbrage {
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T bounds_lit(Fetch&& bounds, glm::vec<2, T> coord, T receiver, glm::vec<2, T> place,
                            Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> b(bounds(glm::ivec2(glm::floor((glm::floor(coord * T(256)) + place.x) * place.y))));
     const T all = compare(receiver, b.x, is_lit), some = compare(receiver, b.y, is_lit);
     return all == some && !is_nan(b.x) && !is_nan(b.y) && b.x <= b.y ? all : T(-1);
@@ -38,14 +38,14 @@ inline constexpr snippet bounds_lit{
     .name = "bounds_lit",
     .summary = "visibility where bounds of a filter's texels suffice",
     .exactness = tier::a,
-    .needs = list<&is_compared, &compare, &fetch_clamped>,
+    .needs = list<&in_filter_domain, &compare, &fetch_clamped>,
     .source = R"GLSL(
 // umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
 //   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
 //   coord, receiver  as the filter takes them
 UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 place) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
     UMBRAGE_HIGHP float all = umbrage_compare(receiver, b.x);

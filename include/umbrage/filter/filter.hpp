@@ -43,7 +43,7 @@ template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
     { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
     { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
-    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest centre of a texel it reads, along an axis
+    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest center of a texel it reads, along an axis
     { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
 };
 

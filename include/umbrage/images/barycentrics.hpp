@@ -29,7 +29,7 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage {
 
-/// Perspective-correct weights of a triangle's vertices at the centres of texels.
+/// Perspective-correct weights of a triangle's vertices at the centers of texels.
 class triangle_weights {
 public:
     /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
@@ -55,7 +55,7 @@ public:
     [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
         const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
         const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
-        const double px = p.x - x * p.w, qx = q.x - x * q.w, rx = r.x - x * r.w;  // the centre to each vertex, times w
+        const double px = p.x - x * p.w, qx = q.x - x * q.w, rx = r.x - x * r.w;  // the center to each vertex, times w
         const double py = p.y - y * p.w, qy = q.y - y * q.w, ry = r.y - y * r.w;
         const double a = qx * ry - qy * rx, b = rx * py - ry * px, c = px * qy - py * qx, sum = a + b + c;
         const double side = sum < 0.0 ? -1.0 : 1.0;

@@ -28,7 +28,7 @@ namespace umbrage {
 
 /// A symmetric row of weights. Taps are odd: 2 * weights.size() - 1.
 struct blur_kernel {
-    std::vector<float> weights;  ///< that of the centre, then those at distance 1, 2, ... on both sides
+    std::vector<float> weights;  ///< that of the center, then those at distance 1, 2, ... on both sides
 };
 
 /// Row Taps - 1 of Pascal's triangle, divided by its sum: weights are exact.
@@ -75,13 +75,13 @@ template <class Tap, std::size_t... I>
 UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to,
                                       std::index_sequence<I...>) {
     // Pointers and weights are locals, which stay in registers: one loop holds all taps.
-    const float* const centre = tap(0);
+    const float* const center = tap(0);
     const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...},
         after{tap(static_cast<int>(I) + 1)...};
     const std::array<float, sizeof...(I)> w{weights[I + 1]...};
     const float w0 = weights[0];
     for (int x = 0; x < block; ++x) {
-        float sum = w0 * centre[x];
+        float sum = w0 * center[x];
         ((sum = sum + w[I] * (before[I][x] + after[I][x])), ...);
         to[x] = sum;
     }
@@ -90,8 +90,8 @@ UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, floa
 /// The same for any number of sums.
 template <class Tap>
 UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap& tap, float* to, int count) {
-    const float* const centre = tap(0);
-    for (int x = 0; x < count; ++x) to[x] = weights[0] * centre[x];
+    const float* const center = tap(0);
+    for (int x = 0; x < count; ++x) to[x] = weights[0] * center[x];
     for (int i = 1; i <= radius; ++i) {
         const float *before = tap(-i), *after = tap(i), w = weights[i];
         for (int x = 0; x < count; ++x) to[x] = to[x] + w * (before[x] + after[x]);
@@ -150,9 +150,9 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
                 line[i - border] = line[i % channels];
                 line[width + i] = line[width - channels + i % channels];
             }
-            const float* const centre = line;
+            const float* const center = line;
             blur_row(
-                weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * channels; }, to.row(y), width);
+                weights, radius, [=](int i) UMBRAGE_INLINE { return center + i * channels; }, to.row(y), width);
         }
     });
 }

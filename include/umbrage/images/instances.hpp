@@ -95,7 +95,7 @@ template <class = detail::on_use>
     if (bounds.radius < 0.0f) return false;
     const auto radius = static_cast<double>(bounds.radius);
     const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };
-    return detail::may_mark(glm::dvec3(bounds.centre), glm::dvec3(radius), reach, to_clip, clip, at_near);
+    return detail::may_mark(glm::dvec3(bounds.center), glm::dvec3(radius), reach, to_clip, clip, at_near);
 }
 
 /// The instances that may mark a map, in their order: the depth pass of these has the bits of that of all.

@@ -36,8 +36,8 @@ struct moment_table {
 /// @param map         depths; NaN counts as far
 /// @param of          the largest box, n texels of it within the map
 /// @return            two halves, each with one column and row more than the map: sums of 65535
-///                    turn_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16, and over
-///                    2^16
+///                    to_optimized_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16,
+///                    and over 2^16
 /// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
 template <class ParallelFor = serial>
 [[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
@@ -54,7 +54,8 @@ template <class ParallelFor = serial>
     parallel(map.size.y, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < map.size.x; ++x)
-                codes[{x, y}] = glm::u16vec4(turn_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
+                codes[{x, y}] =
+                    glm::u16vec4(to_optimized_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
     });
     image<std::uint32_t> channel(map.size), sums(map.size);
     for (glm::length_t c = 0; c < 4; ++c) {

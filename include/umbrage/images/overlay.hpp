@@ -4,7 +4,7 @@
 //
 //     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
 //     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
-//         return umbrage::false_colour(s(depth));
+//         return umbrage::false_color(s(depth));
 //     });
 //
 #pragma once
@@ -64,12 +64,12 @@ struct overlay_placement {
 /// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
 /// What does not fit is cut off.
 ///
-/// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
+/// @param color   float -> color, given the map's texels as they are: a float is a gray, a vec3 red, green and blue,
 ///                all in [0, 1]
 /// @throws std::invalid_argument  negative size
-template <class Colour>
+template <class Color>
 void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
-             Colour&& colour) {
+             Color&& color) {
     if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
     if (map.empty()) return;
     const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
@@ -83,7 +83,7 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
         const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
         glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
         for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
-            out[x] = store_unorm8(glm::vec3(colour(depths[nearest(x, size.x, map.size.x)])));
+            out[x] = store_unorm8(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
     }
 }
 

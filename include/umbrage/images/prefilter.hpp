@@ -78,8 +78,8 @@ struct bilinear_block {
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
             const float x = r.x(i), y = r.y(i);
-            const std::int32_t beyond =
-                (beyond_far_mask<true>(r.z(i)) & towards_far) | (beyond_far_mask<false>(r.z(i)) & ~towards_far);
+            const std::int32_t beyond = (beyond_far_plane_mask<true>(r.z(i)) & towards_far) |
+                                        (beyond_far_plane_mask<false>(r.z(i)) & ~towards_far);
             const std::int32_t inside = texel_space_mask(x, y);
             compared[i] = inside & ~beyond;
             axis(masked(x, inside), size.x - 1, hi_x[i], left[i], right[i]);
@@ -123,7 +123,7 @@ UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_pla
     const float cleared = cleared_depth(filter.direction);
     for (int i = 0; i < block; ++i) {
         const glm::vec4 m = filter.moments(means[i]);
-        d[i] = forward_depth(depths[i], cleared);
+        d[i] = to_forward_depth(depths[i], cleared);
         x[i] = moment_depth(d[i]) - m.x;
         const atom_equation<float> e(m, x[i]);
         D[i] = e.D, E[i] = e.E, h[i] = e.h, a[i] = e.a, B[i] = e.B, c[i] = e.c, roots[i] = e.square;

@@ -13,7 +13,7 @@
 //     });
 //     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
 //
-// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
+// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centers, and ties go by the top-left
 // rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
 // grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads and no
 // instruction set changes a bit, nor does contraction to FMA, but that it may move a clipped triangle's cut by 1/256

@@ -6,7 +6,7 @@
 //     umbrage::summed_area(values, sums);
 //     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
 //
-// Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
+// Prefer integers: quantize depths or moments first. Their tables are exact, whatever the order; a table of floats
 // loses bits as it grows, and its differences lose more.
 #pragma once
 

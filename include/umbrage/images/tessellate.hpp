@@ -68,7 +68,7 @@ private:
     }
 
     /// By how much an edge is too long: what its angle's cosine lacks to 1, or else its error; zeros where it is not.
-    /// Its ends alone decide, so that a neighbour's decides alike.
+    /// Its ends alone decide, so that a neighbor's decides alike.
     [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
         const double p = vertices_[a].distance, q = vertices_[b].distance;
         if (detail::greater(p, q) < sag_) return {0, 0};
@@ -144,7 +144,7 @@ private:
 ///
 /// @param mesh   triangles with a position that is not finite stay as they are
 /// @param to     how finely
-/// @return       the same surface: what shares an edge still does, without gaps, also where neighbours have positions
+/// @return       the same surface: what shares an edge still does, without gaps, also where neighbors have positions
 ///               of their own that are equal; of the same winding
 /// @throws std::invalid_argument  an angle, a range or an error out of bounds, an index out of range
 /// @formula      an edge with ends a and b from the light, g between them, is cut where g > angle, or where

@@ -38,7 +38,7 @@ struct bounding_box {
 
 template <real T>
 struct bounding_sphere {
-    glm::vec<3, T> centre{T(0)};
+    glm::vec<3, T> center{T(0)};
     T radius = T(1);  ///< >= 0
 };
 
@@ -123,8 +123,8 @@ template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f);
     const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
-    const double centre = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
-    return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
+    const double center = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - center;
+    return {glm::dvec3(f.position) + axes[2] * center, std::sqrt(beyond * beyond + z_far * z_far * t)};
 }
 
 namespace detail {
@@ -234,7 +234,7 @@ struct rounded_hull {
     template <real T>
     rounded_hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
     template <real T>
-    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
+    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(s.radius) {}
     template <real T>
     rounded_hull(const bounding_box<T>& box) : rounded_hull(umbrage::corners(box)) {}
     template <real T>

@@ -34,7 +34,7 @@ template <real T = float>
     detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
                     "must be finite and above 0");
     detail::require(is_finite(light.offset), function, "offset", "must be finite");
-    // along the normalised direction, moved by the offset: the view's last row holds the light's distance
+    // along the normalized direction, moved by the offset: the view's last row holds the light's distance
     light_space<T> space{
         detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
         {},

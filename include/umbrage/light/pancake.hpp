@@ -2,7 +2,7 @@
 //
 // Casters before the near plane, pressed onto it by the vertex shader where the rasterizer cannot clamp depth.
 //
-//     gl_Position = umbrage_pancaked(clip_from_world * position, 0.0);  // umbrage::near_depth(clip)
+//     gl_Position = umbrage_pancake(clip_from_world * position, 0.0);   // umbrage::near_depth(clip)
 //
 #pragma once
 
@@ -30,7 +30,7 @@ namespace umbrage {
 /// @return           z = max(z, at_near w), or min for reversed depth; a NaN in z stays
 /// @exactness        B, n = 1: selects; where denormals compare as zeros, those before the plane stay
 template <real T>
-[[nodiscard]] constexpr glm::vec<4, T> pancaked(glm::vec<4, T> position, T at_near) {
+[[nodiscard]] constexpr glm::vec<4, T> pancake(glm::vec<4, T> position, T at_near) {
     const T plane = at_near * position.w;
     const bool before = at_near > T(0.5) ? position.z > plane : position.z < plane;
     return {position.x, position.y, before ? plane : position.z, position.w};
@@ -38,15 +38,15 @@ template <real T>
 
 namespace glsl {
 
-inline constexpr snippet pancaked{
-    .name = "pancaked",
+inline constexpr snippet pancake{
+    .name = "pancake",
     .summary = "casters before the near plane, onto it",
     .exactness = tier::b,
     .operations = 1,
     .source = R"GLSL(
-// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
-UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
+UMBRAGE_HIGHP vec4 umbrage_pancake(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;
     bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
     return vec4(position.x, position.y, before ? plane : position.z, position.w);
@@ -54,7 +54,7 @@ UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr const snippet* pancake_snippets[]{&pancaked};
+inline constexpr const snippet* pancake_snippets[]{&pancake};
 
 }  // namespace glsl
 }  // namespace umbrage

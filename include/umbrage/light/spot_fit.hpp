@@ -28,7 +28,7 @@ struct spot_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
-    T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
+    T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a light's own size
     std::optional<hull> receivers{};           ///< required: box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2

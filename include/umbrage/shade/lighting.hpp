@@ -3,7 +3,7 @@
 // The lighting of the DirectX SDK's ShadowMap sample: a spot cone, diffuse plus ambient. Enough for whole pictures.
 //
 //     float cone = umbrage::spot_cone(light_direction, point - light_position, cos_outer_angle);
-//     glm::vec3 colour = umbrage::diffuse_ambient(albedo, 0.2f, glm::dot(normal, to_light), visibility * cone);
+//     glm::vec3 color = umbrage::diffuse_ambient(albedo, 0.2f, glm::dot(normal, to_light), visibility * cone);
 //
 #pragma once
 
@@ -21,7 +21,7 @@ namespace umbrage {
 /// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
 /// @return            1 inside the cone, 0 outside, at its apex, or for NaN
 /// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test,
-///                    unnormalised
+///                    unnormalized
 /// @exactness         B, n = 11
 /// @cite              Microsoft DirectX SDK, ShadowMap sample
 template <real T>

@@ -29,9 +29,10 @@ template <class = umbrage::detail::on_use>
         case hook::none:
         case hook::chosen: return s;
         case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
-        case hook::beyond_far:
+        case hook::beyond_far_plane:
             return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
-        case hook::before_far: return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
+        case hook::within_far_plane:
+            return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
         case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
         case hook::texel:
         case hook::fetch_depth:

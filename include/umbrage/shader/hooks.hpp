@@ -16,7 +16,7 @@ inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
                                               .summary = "lit_filtered, clamped",
                                               .exactness = tier::c,
                                               .within = 1.0f / 128.0f,
-                                              .needs = list<&before_far>,
+                                              .needs = list<&within_far_plane>,
                                               .role = hook::chosen,
                                               .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
@@ -27,7 +27,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    return umbrage_before_far(receiver) ? lit : 0.0;
+    return umbrage_within_far_plane(receiver) ? lit : 0.0;
 }
 )GLSL"};
 
@@ -35,7 +35,7 @@ inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
                                                .exactness = tier::c,
                                                .within = 1.0f / 128.0f,
-                                               .needs = list<&before_far, &compare, &cleared_depth>,
+                                               .needs = list<&within_far_plane, &compare, &cleared_depth>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
@@ -49,7 +49,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
+    return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 )GLSL"};
 

@@ -122,7 +122,7 @@ template <class Use = umbrage::detail::on_use>
             .add_all({texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
                       dual_paraboloid_snippets, tetrahedron_snippets, pancake_snippets, page_table_snippets})
             // depth
-            .add_all({kinds_snippets, scalar_snippets, floor_divide_snippets, unorm_snippets})
+            .add_all({conversions_snippets, scalar_snippets, floor_divide_snippets, unorm_snippets})
             .add_writers(every_encoding)
             .add_all({rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>})
             .add_readers(every_encoding)
@@ -140,7 +140,7 @@ template <class Use = umbrage::detail::on_use>
             // bias, shade, view
             .add_all({light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets, kernel_snippets,
                       receiver_plane_snippets, acne_free_snippets})
-            .add_all({lighting_snippets, false_colour_snippets, overlay_texel_snippets})
+            .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets})
             .members();
     }();
     return {all.data(), all.size()};  // a conversion checks concepts

@@ -25,41 +25,41 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 )GLSL"};
 
 inline constexpr snippet forward_beyond_far{
-    .name = "beyond_far", .summary = "beyond_far, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
 )GLSL"};
 
 inline constexpr snippet reversed_beyond_far{
-    .name = "beyond_far", .summary = "beyond_far, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver < 0.0;
 }
 )GLSL"};
 
 inline constexpr snippet scaled_beyond_far{
-    .name = "beyond_far", .summary = "beyond_far, scaled", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, scaled", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return false;
 }
 )GLSL"};
 
 inline constexpr snippet forward_before_far{
-    .name = "before_far", .summary = "before_far, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    .name = "within_far_plane", .summary = "within_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }
 )GLSL"};
 
 inline constexpr snippet reversed_before_far{
-    .name = "before_far", .summary = "before_far, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    .name = "within_far_plane", .summary = "within_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver >= 0.0;
 }
 )GLSL"};

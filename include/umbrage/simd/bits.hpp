@@ -31,9 +31,9 @@ namespace umbrage::detail {
              std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
 }
 
-/// beyond_far of a comparison as a mask.
+/// beyond_far_plane of a comparison as a mask.
 template <bool Forward>
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t beyond_far_mask(float depth) {
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t beyond_far_plane_mask(float depth) {
     constexpr std::int32_t one = 0x3F800000, infinity = 0x7F800000;
     const auto bits = detail::bit_cast<std::int32_t>(depth);
     if constexpr (Forward) return -(std::int32_t(bits > one) & std::int32_t(bits <= infinity));

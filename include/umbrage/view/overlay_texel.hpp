@@ -13,9 +13,9 @@
 
 namespace umbrage {
 
-/// The texel that lies under a pixel's centre.
+/// The texel that lies under a pixel's center.
 ///
-/// @param coord             centre of the pixel, counted from the corner: 0.5, 1.5, ...
+/// @param coord             center of the pixel, counted from the corner: 0.5, 1.5, ...
 /// @param size              of the overlay in pixels, whole
 /// @param map_size          of the map in texels, whole, at most 65536 in float; size map_size at most 2^23 in float,
 ///                          2^52 in double
@@ -39,7 +39,7 @@ inline constexpr snippet overlay_texel{
     .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
 //   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
 UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
                                           UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {

@@ -11,7 +11,7 @@
 //   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
 //   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
 //   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
-//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
+//   UMBRAGE_COMPARE(receiver, stored) 1.0 for a lit receiver, else 0.0
 //   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
@@ -46,8 +46,8 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -56,18 +56,18 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -146,17 +146,17 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_LIT
+// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_COMPARE
 #ifdef UMBRAGE_REVERSED
-#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
 #else
-#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
 #endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_LIT(receiver, stored);
+    return UMBRAGE_COMPARE(receiver, stored);
 }
 #endif
 
@@ -174,25 +174,25 @@ UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE8
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE8
 // umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                               UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                               UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 7.0, receiver);
     return compared ? n : vec2(0.0, 0.0);
 }
 #endif

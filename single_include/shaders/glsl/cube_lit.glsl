@@ -9,7 +9,7 @@
 //   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
 //   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
 //   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
-//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
+//   UMBRAGE_COMPARE(receiver, stored) 1.0 for a lit receiver, else 0.0
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -62,11 +62,11 @@ UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP ve
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CUBE_NEIGHBOUR
-#define UMBRAGE_HAS_CUBE_NEIGHBOUR
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+#ifndef UMBRAGE_HAS_CUBE_NEIGHBOR
+#define UMBRAGE_HAS_CUBE_NEIGHBOR
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-UMBRAGE_HIGHP vec3 umbrage_cube_neighbour(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
+UMBRAGE_HIGHP vec3 umbrage_cube_neighbor(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = abs(uv.x) > size;
     bool beyond_v = abs(uv.y) > size;
@@ -96,17 +96,17 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_LIT
+// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_COMPARE
 #ifdef UMBRAGE_REVERSED
-#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
 #else
-#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
 #endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_LIT(receiver, stored);
+    return UMBRAGE_COMPARE(receiver, stored);
 }
 #endif
 
@@ -190,7 +190,7 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
                                     UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float side = size.y * 0.5;
-    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbour(texel, side);
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbor(texel, side);
     UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
     UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
     return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);

@@ -63,10 +63,10 @@ UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_WARP_DEPTH
-#define UMBRAGE_HAS_WARP_DEPTH
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+#ifndef UMBRAGE_HAS_EXPONENTIAL_WARP
+#define UMBRAGE_HAS_EXPONENTIAL_WARP
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_exponential_warp(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -84,10 +84,10 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -98,8 +98,8 @@ UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP float receiver,
                                        UMBRAGE_HIGHP float exponent) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
-    UMBRAGE_HIGHP float p = m * umbrage_warp_depth(d, -exponent);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
+    UMBRAGE_HIGHP float p = m * umbrage_exponential_warp(d, -exponent);
     UMBRAGE_HIGHP float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }

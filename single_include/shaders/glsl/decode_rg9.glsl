@@ -39,7 +39,7 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 #ifndef UMBRAGE_HAS_DECODE_RG9
 #define UMBRAGE_HAS_DECODE_RG9
 // umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg9(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);

@@ -44,10 +44,10 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -60,7 +60,7 @@ UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
 UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE_HIGHP float receiver,
                                                 UMBRAGE_HIGHP float min_variance, UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float variance = max(held.y * held.y * 0.25, min_variance);
-    UMBRAGE_HIGHP float distance = umbrage_forward_depth(receiver) - held.x;
+    UMBRAGE_HIGHP float distance = umbrage_to_forward_depth(receiver) - held.x;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, distance, amount);
     return abs(receiver) < 1048576.0 ? lit : 0.0;
 }

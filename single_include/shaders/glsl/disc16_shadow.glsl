@@ -41,34 +41,34 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2(x, y));
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
-#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-bool umbrage_beyond_far_shadow(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
-#define UMBRAGE_HAS_IS_COMPARED_SHADOW
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -94,31 +94,31 @@ UMBRAGE_HIGHP float umbrage_lit_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAG
 #ifndef UMBRAGE_HAS_DISC16_SHADOW
 #define UMBRAGE_HAS_DISC16_SHADOW
 // umbrage_disc16_shadow: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                           UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                          UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared_shadow(coord, receiver);
+                                          UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 16.0) : 1.0;
 }
 #endif

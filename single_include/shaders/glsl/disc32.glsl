@@ -9,7 +9,7 @@
 //   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
 //   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
 //   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
-//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
+//   UMBRAGE_COMPARE(receiver, stored) 1.0 for a lit receiver, else 0.0
 //   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
@@ -48,14 +48,14 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2(x, y));
@@ -70,8 +70,8 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -80,34 +80,34 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_LIT
+// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_COMPARE
 #ifdef UMBRAGE_REVERSED
-#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
 #else
-#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
 #endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_LIT(receiver, stored);
+    return UMBRAGE_COMPARE(receiver, stored);
 }
 #endif
 
@@ -187,46 +187,47 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 #ifndef UMBRAGE_HAS_DISC32
 #define UMBRAGE_HAS_DISC32
 // umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-2.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(6.0, -7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-3.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(13.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(10.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-11.0, 9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(12.0, 8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -15.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-2.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(6.0, -7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-3.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(13.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(10.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-11.0, 9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(12.0, 8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -15.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 32.0) : 1.0;
 }
 #endif

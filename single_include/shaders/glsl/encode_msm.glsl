@@ -45,10 +45,10 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -57,7 +57,7 @@ UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
 #define UMBRAGE_HAS_ENCODE_MSM
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     UMBRAGE_HIGHP float square = z * z;
     return vec4(z, square, square * z, square * square);
 }

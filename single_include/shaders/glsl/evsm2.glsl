@@ -92,17 +92,17 @@ UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_WARP_DEPTH
-#define UMBRAGE_HAS_WARP_DEPTH
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+#ifndef UMBRAGE_HAS_EXPONENTIAL_WARP
+#define UMBRAGE_HAS_EXPONENTIAL_WARP
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_exponential_warp(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -111,18 +111,18 @@ UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP 
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -154,7 +154,7 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 #ifndef UMBRAGE_HAS_FETCH_BILINEAR
 #define UMBRAGE_HAS_FETCH_BILINEAR
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
@@ -184,10 +184,10 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -208,8 +208,8 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
 //   deviation  least standard deviation, as a part of the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponent);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
@@ -220,12 +220,12 @@ UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP flo
 #ifndef UMBRAGE_HAS_EVSM2
 #define UMBRAGE_HAS_EVSM2
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
                                   UMBRAGE_HIGHP float deviation) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;

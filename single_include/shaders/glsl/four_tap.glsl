@@ -9,7 +9,7 @@
 //   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
 //   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
 //   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
-//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
+//   UMBRAGE_COMPARE(receiver, stored) 1.0 for a lit receiver, else 0.0
 //   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
@@ -37,17 +37,17 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_LIT
+// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_COMPARE
 #ifdef UMBRAGE_REVERSED
-#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
 #else
-#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
 #endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_LIT(receiver, stored);
+    return UMBRAGE_COMPARE(receiver, stored);
 }
 #endif
 
@@ -124,8 +124,8 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -134,8 +134,8 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 #endif
@@ -154,7 +154,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     UMBRAGE_HIGHP vec2 d_texel = floor(d);
     UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
                                 umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;

@@ -10,7 +10,7 @@
 //   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
 //   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
 //   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
-//   UMBRAGE_LIT(receiver, stored)     1.0 for a lit receiver, else 0.0
+//   UMBRAGE_COMPARE(receiver, stored) 1.0 for a lit receiver, else 0.0
 //   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
 #ifndef UMBRAGE_HIGHP
@@ -36,8 +36,8 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -46,25 +46,25 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_LIT
+// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_COMPARE
 #ifdef UMBRAGE_REVERSED
-#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
 #else
-#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
 #endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_LIT(receiver, stored);
+    return UMBRAGE_COMPARE(receiver, stored);
 }
 #endif
 
@@ -150,7 +150,7 @@ UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
                                               UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
                                               UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x + sum.y < 131072.0;
     UMBRAGE_HIGHP float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
                                 umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
                                 umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +

@@ -29,20 +29,20 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
-#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-bool umbrage_beyond_far_shadow(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
-#define UMBRAGE_HAS_IS_COMPARED_SHADOW
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -68,11 +68,11 @@ UMBRAGE_HIGHP float umbrage_lit_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAG
 #ifndef UMBRAGE_HAS_HARD_SHADOW
 #define UMBRAGE_HAS_HARD_SHADOW
 // umbrage_hard_shadow: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_hard_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                         UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
     UMBRAGE_HIGHP float lit = umbrage_lit_shadow(map, size, texel, receiver);
     return compared ? lit : 1.0;

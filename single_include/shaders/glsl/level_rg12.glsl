@@ -27,10 +27,10 @@ UMBRAGE_HIGHP float umbrage_level_rg12(UMBRAGE_HIGHP vec2 c) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return false;
 }
 #endif

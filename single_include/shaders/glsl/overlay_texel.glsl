@@ -21,7 +21,7 @@
 #ifndef UMBRAGE_HAS_OVERLAY_TEXEL
 #define UMBRAGE_HAS_OVERLAY_TEXEL
 // umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
 //   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
 UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
                                           UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {

@@ -54,8 +54,8 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -64,18 +64,18 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -146,11 +146,11 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 #ifndef UMBRAGE_HAS_PCF_2X2_DX_SDK
 #define UMBRAGE_HAS_PCF_2X2_DX_SDK
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;

@@ -30,27 +30,27 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
-#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-bool umbrage_beyond_far_shadow(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
-#define UMBRAGE_HAS_IS_COMPARED_SHADOW
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEFORE_FAR_SHADOW
-#define UMBRAGE_HAS_BEFORE_FAR_SHADOW
-// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far_shadow(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }
 #endif
@@ -68,14 +68,14 @@ UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMB
 #ifndef UMBRAGE_HAS_PCF_2X2_HARDWARE_SHADOW
 #define UMBRAGE_HAS_PCF_2X2_HARDWARE_SHADOW
 // umbrage_pcf_2x2_hardware_shadow: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                                     UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_at_shadow(map, size, at / size, receiver);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far_shadow(receiver) ? lit : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane_shadow(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

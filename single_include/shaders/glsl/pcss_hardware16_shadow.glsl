@@ -36,10 +36,10 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_DISC_TURN
-#define UMBRAGE_HAS_DISC_TURN
-// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
-UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
+#ifndef UMBRAGE_HAS_DISC_ROTATION
+#define UMBRAGE_HAS_DISC_ROTATION
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -47,9 +47,9 @@ UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP float base = v - quarter * 4.0;
     UMBRAGE_HIGHP vec2 low = base < 0.5 ? vec2(64.0, 0.0) : vec2(59.0, 24.0);
     UMBRAGE_HIGHP vec2 high = base < 2.5 ? vec2(45.0, 45.0) : vec2(24.0, 59.0);
-    UMBRAGE_HIGHP vec2 turn = base < 1.5 ? low : high;
-    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? turn : vec2(0.0 - turn.y, turn.x);
-    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - turn.x, 0.0 - turn.y) : vec2(turn.y, 0.0 - turn.x);
+    UMBRAGE_HIGHP vec2 first = base < 1.5 ? low : high;
+    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? first : vec2(0.0 - first.y, first.x);
+    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - first.x, 0.0 - first.y) : vec2(first.y, 0.0 - first.x);
     return quarter < 1.5 ? once : twice;
 }
 #endif
@@ -70,31 +70,31 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_PCSS_RADIUS
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
                                         UMBRAGE_HIGHP vec3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
     UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    UMBRAGE_HIGHP float least = softness.y * 0.0625;
-    return radius > least ? min(radius, softness.z * 0.0625) : least;
+    UMBRAGE_HIGHP float min_radius = softness.y * 0.0625;
+    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_DEPTHS
-#define UMBRAGE_HAS_BEYOND_FAR_DEPTHS
-// umbrage_beyond_far_depths: whether a receiver is behind the far plane
-bool umbrage_beyond_far_depths(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_DEPTHS
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_DEPTHS
+// umbrage_beyond_far_plane_depths: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane_depths(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_DEPTHS
-#define UMBRAGE_HAS_IS_COMPARED_DEPTHS
-// umbrage_is_compared_depths: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared_depths(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_DEPTHS
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_DEPTHS
+// umbrage_in_filter_domain_depths: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain_depths(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_depths(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_depths(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -169,58 +169,58 @@ UMBRAGE_HIGHP vec2 umbrage_blocker_at_depths(UMBRAGE_HIGHP sampler2D map, UMBRAG
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
 // umbrage_blockers_hardware16_depths: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                       UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                                      UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared_depths(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                                      UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain_depths(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 14.0 - y * 2.0, receiver);
     return compared ? n : vec2(0.0, 0.0);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
-#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-bool umbrage_beyond_far_shadow(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
-#define UMBRAGE_HAS_IS_COMPARED_SHADOW
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEFORE_FAR_SHADOW
-#define UMBRAGE_HAS_BEFORE_FAR_SHADOW
-// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far_shadow(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }
 #endif
@@ -238,34 +238,34 @@ UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMB
 #ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
 #define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
 // umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                                    UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                                   UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared_shadow(coord, receiver);
-    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                                   UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit_at_shadow(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
+    n += umbrage_lit_at_shadow(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 14.0 - y * 2.0, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

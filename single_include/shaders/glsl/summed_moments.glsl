@@ -32,10 +32,10 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_TURN_MOMENTS_BACK
-#define UMBRAGE_HAS_TURN_MOMENTS_BACK
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
+#ifndef UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
+#define UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+UMBRAGE_HIGHP vec4 umbrage_from_optimized_moments(UMBRAGE_HIGHP vec4 o) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
     UMBRAGE_HIGHP float eighth = o.y * 0.125;
@@ -83,8 +83,8 @@ UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP floa
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -93,18 +93,18 @@ UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP floa
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -162,10 +162,10 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -176,7 +176,7 @@ UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
     UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
@@ -193,18 +193,18 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
 #define UMBRAGE_HAS_SUMMED_MOMENTS
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                            UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
     UMBRAGE_HIGHP vec4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return compared ? lit : 1.0;
 }
 #endif

@@ -33,10 +33,10 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_MEND_QUOTIENT
-#define UMBRAGE_HAS_MEND_QUOTIENT
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+#ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
+#define UMBRAGE_HAS_CORRECT_QUOTIENT
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
     return (low + 1.0) * b <= a ? low + 1.0 : low;
 }
@@ -46,12 +46,12 @@ UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP f
 #define UMBRAGE_HAS_FLOOR_DIVIDE
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -60,18 +60,18 @@ UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP fl
 #define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
 #endif
 #endif
-// umbrage_beyond_far: whether a receiver is behind the far plane
-bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_BEYOND_FAR(receiver);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -142,12 +142,12 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
 #define UMBRAGE_HAS_SUMMED_VARIANCE
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP float codes) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = size - 1.0;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));

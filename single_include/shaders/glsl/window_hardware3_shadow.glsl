@@ -31,27 +31,27 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
-#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-bool umbrage_beyond_far_shadow(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
-#define UMBRAGE_HAS_IS_COMPARED_SHADOW
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-bool umbrage_is_compared_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEFORE_FAR_SHADOW
-#define UMBRAGE_HAS_BEFORE_FAR_SHADOW
-// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
-bool umbrage_before_far_shadow(UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }
 #endif
@@ -69,12 +69,12 @@ UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMB
 #ifndef UMBRAGE_HAS_WINDOW_HARDWARE3_SHADOW
 #define UMBRAGE_HAS_WINDOW_HARDWARE3_SHADOW
 // umbrage_window_hardware3_shadow: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware3_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                                     UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
                                                     UMBRAGE_HIGHP float k0, UMBRAGE_HIGHP float k1) {
-    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_HIGHP vec2 s = x - texel;
@@ -95,7 +95,7 @@ UMBRAGE_HIGHP float umbrage_window_hardware3_shadow(UMBRAGE_HIGHP sampler2DShado
     row += w1.x * umbrage_lit_at_shadow(map, size, vec2(p1.x, p1.y), receiver);
     n += w1.y * row;
     UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far_shadow(receiver) ? share : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane_shadow(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

@@ -31,20 +31,20 @@ float umbrage_box_scale(int radius) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
-#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far_shadow(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
-#define UMBRAGE_HAS_IS_COMPARED_SHADOW
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-precise bool umbrage_is_compared_shadow(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+precise bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -70,13 +70,13 @@ float umbrage_lit_shadow(Texture2D<float> map, SamplerComparisonState map_sample
 #ifndef UMBRAGE_HAS_BOX_COUNT_SHADOW
 #define UMBRAGE_HAS_BOX_COUNT_SHADOW
 // umbrage_box_count_shadow: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
 float umbrage_box_count_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 coord,
                                float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     float2 first = compared ? floor(coord) - float(r) : float2(0.0, 0.0);
     float count = 0.0;
     for (int j = 0; j < 17; j++) {

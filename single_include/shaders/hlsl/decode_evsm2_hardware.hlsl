@@ -22,10 +22,10 @@ float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -36,7 +36,7 @@ float umbrage_forward_depth(float depth) {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
 float umbrage_decode_evsm2_hardware(float2 m, float receiver, float exponent, float deviation, float amount) {
-    float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     float w = exp2(exponent * (d * 2.0 - 1.0));
     float least = deviation * w;
     float variance = max(m.y - m.x * m.x, least * least);

@@ -74,10 +74,10 @@ float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -88,7 +88,7 @@ float umbrage_forward_depth(float depth) {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_to_forward_depth(receiver);
     float4 m = umbrage_bias_moments(b, bias);
     precise float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
     float4 atoms = umbrage_moment_atoms(m, x);
@@ -107,7 +107,7 @@ float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
 float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
     float plain = umbrage_decode_msm(b, receiver, bias);
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_to_forward_depth(receiver);
     float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
     float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     float lit = share >= 0.0 ? 1.0 - share : plain;

@@ -24,7 +24,7 @@ float4 umbrage_from_unorm(float4 c) {
 #ifndef UMBRAGE_HAS_DECODE_RG16
 #define UMBRAGE_HAS_DECODE_RG16
 // umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 float umbrage_decode_rg16(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);

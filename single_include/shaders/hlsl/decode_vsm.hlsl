@@ -24,10 +24,10 @@ float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -37,6 +37,6 @@ float umbrage_forward_depth(float depth) {
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 #endif

@@ -21,10 +21,10 @@ float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -36,7 +36,7 @@ float umbrage_forward_depth(float depth) {
 //   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
 float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_variance, float amount) {
     float variance = max(held.y * held.y * 0.25, min_variance);
-    float distance = umbrage_forward_depth(receiver) - held.x;
+    float distance = umbrage_to_forward_depth(receiver) - held.x;
     float lit = umbrage_chebyshev_hardware(variance, distance, amount);
     return abs(receiver) < 1048576.0 ? lit : 0.0;
 }

@@ -26,33 +26,33 @@ float umbrage_disc_radius(float radius) {
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
     float2 within = clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 scaled = turn * (radius * (1.0 / 16384.0));
+    float2 scaled = rotation * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(float2(x, y));
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-precise bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -107,29 +107,29 @@ float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiv
 #ifndef UMBRAGE_HAS_DISC16
 #define UMBRAGE_HAS_DISC16
 // umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-float umbrage_disc16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+float umbrage_disc16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
     float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
     return compared ? n * (1.0 / 16.0) : 1.0;
 }
 #endif

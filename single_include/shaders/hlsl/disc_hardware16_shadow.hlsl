@@ -14,27 +14,27 @@ precise bool umbrage_inside_texel_space(float2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
-#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far_shadow(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
-#define UMBRAGE_HAS_IS_COMPARED_SHADOW
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-precise bool umbrage_is_compared_shadow(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+precise bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEFORE_FAR_SHADOW
-#define UMBRAGE_HAS_BEFORE_FAR_SHADOW
-// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
-precise bool umbrage_before_far_shadow(float receiver) {
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_within_far_plane_shadow(float receiver) {
     return receiver <= 1.0;
 }
 #endif
@@ -52,33 +52,33 @@ float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sam
 #ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
 #define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
 // umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 float umbrage_disc_hardware16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
-                                     float2 coord, float receiver, float radius, float2 turn) {
-    bool compared = umbrage_is_compared_shadow(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                     float2 coord, float receiver, float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 14.0 - y * 2.0, receiver);
-    float visibility = umbrage_before_far_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, receiver);
+    float visibility = umbrage_within_far_plane_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

@@ -30,10 +30,10 @@ float umbrage_exp2_polynomial(float y) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_WARP_DEPTH
-#define UMBRAGE_HAS_WARP_DEPTH
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-float umbrage_warp_depth(float depth, float exponent) {
+#ifndef UMBRAGE_HAS_EXPONENTIAL_WARP
+#define UMBRAGE_HAS_EXPONENTIAL_WARP
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+float umbrage_exponential_warp(float depth, float exponent) {
     precise float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -56,10 +56,10 @@ float umbrage_saturate(float v) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -68,6 +68,6 @@ float umbrage_forward_depth(float depth) {
 #define UMBRAGE_HAS_ENCODE_ESM
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
 float umbrage_encode_esm(float depth, float exponent) {
-    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }
 #endif

@@ -22,7 +22,7 @@ float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
 #ifndef UMBRAGE_HAS_FETCH_BILINEAR
 #define UMBRAGE_HAS_FETCH_BILINEAR
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 float4 umbrage_fetch_bilinear(Texture2D<float4> map, float2 size, float2 coord) {
     float2 x = floor(coord * 256.0) - 128.0;
     float2 texel = floor(x * (1.0 / 256.0));

@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-#ifndef UMBRAGE_HAS_MEND_QUOTIENT
-#define UMBRAGE_HAS_MEND_QUOTIENT
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-float umbrage_mend_quotient(float q, float a, float b) {
+#ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
+#define UMBRAGE_HAS_CORRECT_QUOTIENT
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+float umbrage_correct_quotient(float q, float a, float b) {
     float low = q * b > a ? q - 1.0 : q;
     return (low + 1.0) * b <= a ? low + 1.0 : low;
 }
@@ -16,6 +16,6 @@ float umbrage_mend_quotient(float q, float a, float b) {
 #define UMBRAGE_HAS_FLOOR_DIVIDE
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 float umbrage_floor_divide(float a, float b) {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }
 #endif

@@ -53,10 +53,10 @@ float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiv
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
@@ -73,7 +73,7 @@ float umbrage_four_tap(Texture2D<float4> map, float2 size, float2 a, float2 b, f
     float2 d_texel = floor(d);
     float2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;

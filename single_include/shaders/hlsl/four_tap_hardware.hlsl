@@ -5,10 +5,10 @@
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
@@ -70,7 +70,7 @@ float umbrage_depth_at(Texture2D<float4> map, float2 size, float2 uv) {
 float umbrage_four_tap_hardware(Texture2D<float4> map, float2 size, float2 a, float2 b, float2 c, float2 d,
                                 float receiver) {
     float2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x + sum.y < 131072.0;
     float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +

@@ -50,11 +50,11 @@ float3 umbrage_cube_point(float face, float3 p) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CUBE_NEIGHBOUR
-#define UMBRAGE_HAS_CUBE_NEIGHBOUR
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+#ifndef UMBRAGE_HAS_CUBE_NEIGHBOR
+#define UMBRAGE_HAS_CUBE_NEIGHBOR
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-float3 umbrage_cube_neighbour(float3 texel, float size) {
+float3 umbrage_cube_neighbor(float3 texel, float size) {
     float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = abs(uv.x) > size;
     bool beyond_v = abs(uv.y) > size;
@@ -74,20 +74,20 @@ float2 umbrage_cube_tile(float face, float size) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-precise bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -145,7 +145,7 @@ float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiv
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 float2 umbrage_cube_lit(Texture2D<float4> map, float2 size, float3 texel, float receiver) {
     float side = size.y * 0.5;
-    float3 n = umbrage_cube_neighbour(texel, side);
+    float3 n = umbrage_cube_neighbor(texel, side);
     float2 at = umbrage_cube_tile(n.z, side) + float2(n.x, n.y);
     float lit = umbrage_lit(map, size, at, receiver);
     return n.z < 0.0 ? float2(0.0, 0.0) : float2(lit, 1.0);
@@ -159,7 +159,7 @@ float2 umbrage_cube_lit(Texture2D<float4> map, float2 size, float3 texel, float 
 //   receiver   distance from the light, biased
 float umbrage_pcf_2x2_cube(Texture2D<float4> map, float2 size, float3 at, float receiver) {
     float2 coord = float2(at.x, at.y);
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp

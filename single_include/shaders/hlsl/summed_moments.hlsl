@@ -12,10 +12,10 @@ precise bool umbrage_inside_texel_space(float2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_TURN_MOMENTS_BACK
-#define UMBRAGE_HAS_TURN_MOMENTS_BACK
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-float4 umbrage_turn_moments_back(float4 o) {
+#ifndef UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
+#define UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+float4 umbrage_from_optimized_moments(float4 o) {
     precise float x = o.x - 0.5;
     precise float z = o.z - 0.5;
     float eighth = o.y * 0.125;
@@ -63,20 +63,20 @@ float4 umbrage_moment_atoms(float4 b, float x) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-precise bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -120,10 +120,10 @@ float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -134,7 +134,7 @@ float umbrage_forward_depth(float depth) {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_to_forward_depth(receiver);
     float4 m = umbrage_bias_moments(b, bias);
     precise float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
     float4 atoms = umbrage_moment_atoms(m, x);
@@ -151,17 +151,17 @@ float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
 #define UMBRAGE_HAS_SUMMED_MOMENTS
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 float umbrage_summed_moments(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
                              float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = float2(size.x * 0.5, size.y) - 1.0;
     float2 texel = compared ? clamp(floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = max(texel - radius, float2(0.0, 0.0));
     float2 end = min(texel + radius + 1.0, last);
     float4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    float lit = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return compared ? lit : 1.0;
 }
 #endif

@@ -28,20 +28,20 @@ float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-precise bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -64,7 +64,7 @@ float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
 #ifndef UMBRAGE_HAS_FETCH_BILINEAR
 #define UMBRAGE_HAS_FETCH_BILINEAR
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 float4 umbrage_fetch_bilinear(Texture2D<float4> map, float2 size, float2 coord) {
     float2 x = floor(coord * 256.0) - 128.0;
     float2 texel = floor(x * (1.0 / 256.0));
@@ -90,10 +90,10 @@ float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -103,17 +103,17 @@ float umbrage_forward_depth(float depth) {
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_VSM
 #define UMBRAGE_HAS_VSM
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 float umbrage_vsm(Texture2D<float4> map, float2 size, float2 coord, float receiver, float min_variance) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_vsm(float2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;

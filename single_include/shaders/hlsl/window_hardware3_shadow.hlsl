@@ -15,27 +15,27 @@ precise bool umbrage_inside_texel_space(float2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
-#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far_shadow(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
-#define UMBRAGE_HAS_IS_COMPARED_SHADOW
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-precise bool umbrage_is_compared_shadow(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+precise bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEFORE_FAR_SHADOW
-#define UMBRAGE_HAS_BEFORE_FAR_SHADOW
-// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
-precise bool umbrage_before_far_shadow(float receiver) {
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_within_far_plane_shadow(float receiver) {
     return receiver <= 1.0;
 }
 #endif
@@ -53,11 +53,11 @@ float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sam
 #ifndef UMBRAGE_HAS_WINDOW_HARDWARE3_SHADOW
 #define UMBRAGE_HAS_WINDOW_HARDWARE3_SHADOW
 // umbrage_window_hardware3_shadow: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 float umbrage_window_hardware3_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
                                       float2 coord, float receiver, float k0, float k1) {
-    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = floor(x);
     float2 s = x - texel;
@@ -78,7 +78,7 @@ float umbrage_window_hardware3_shadow(Texture2D<float> map, SamplerComparisonSta
     row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
     float share = clamp(n / (whole * whole), 0.0, 1.0);
-    float visibility = umbrage_before_far_shadow(receiver) ? share : 0.0;
+    float visibility = umbrage_within_far_plane_shadow(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

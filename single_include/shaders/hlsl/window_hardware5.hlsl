@@ -14,27 +14,27 @@ precise bool umbrage_inside_texel_space(float2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-precise bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEFORE_FAR
-#define UMBRAGE_HAS_BEFORE_FAR
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-precise bool umbrage_before_far(float receiver) {
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_within_far_plane(float receiver) {
     return receiver <= 1.0;
 }
 #endif
@@ -102,10 +102,10 @@ float4 umbrage_lit_2x2(Texture2D<float4> map, float2 size, float2 texel, float r
 #ifndef UMBRAGE_HAS_PCF_2X2
 #define UMBRAGE_HAS_PCF_2X2
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_pcf_2x2(Texture2D<float4> map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -138,11 +138,11 @@ float umbrage_lit_at(Texture2D<float4> map, float2 size, float2 uv, float receiv
 #ifndef UMBRAGE_HAS_WINDOW_HARDWARE5
 #define UMBRAGE_HAS_WINDOW_HARDWARE5
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
 float umbrage_window_hardware5(Texture2D<float4> map, float2 size, float2 coord, float receiver, float k0, float k1,
                                float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = floor(x);
     float2 s = x - texel;
@@ -173,7 +173,7 @@ float umbrage_window_hardware5(Texture2D<float4> map, float2 size, float2 coord,
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
     float share = clamp(n / (whole * whole), 0.0, 1.0);
-    float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

@@ -12,13 +12,13 @@
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+inline float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = metal::floor(at);
     float2 within = metal::clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 scaled = turn * (radius * (1.0 / 16384.0));
+    float2 scaled = rotation * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + metal::floor(float2(x, y));
@@ -98,42 +98,42 @@ inline float2 umbrage_blocker(metal::texture2d<float> map, float2 size, float2 t
 #define UMBRAGE_HAS_BLOCKERS32
 // umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers32(metal::texture2d<float> map, float2 size, float2 position, float receiver,
-                                 float radius, float2 turn) {
+                                 float radius, float2 rotation) {
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(6.0, -7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-3.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(13.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(10.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-11.0, 9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(12.0, 8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -15.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -15.0), rotation, radius), receiver);
     return n;
 }
 #endif

@@ -19,20 +19,20 @@ inline bool umbrage_inside_texel_space(float2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-inline bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -98,24 +98,24 @@ inline float2 umbrage_blocker_at(metal::texture2d<float> map, float2 size, float
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE8
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE8
 // umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                         float radius, float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+                                         float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 7.0, receiver);
     return compared ? n : float2(0.0, 0.0);
 }
 #endif

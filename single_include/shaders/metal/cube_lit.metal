@@ -45,11 +45,11 @@ inline float3 umbrage_cube_point(float face, float3 p) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CUBE_NEIGHBOUR
-#define UMBRAGE_HAS_CUBE_NEIGHBOUR
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+#ifndef UMBRAGE_HAS_CUBE_NEIGHBOR
+#define UMBRAGE_HAS_CUBE_NEIGHBOR
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-inline float3 umbrage_cube_neighbour(float3 texel, float size) {
+inline float3 umbrage_cube_neighbor(float3 texel, float size) {
     float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = metal::abs(uv.x) > size;
     bool beyond_v = metal::abs(uv.y) > size;
@@ -123,7 +123,7 @@ inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel,
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 inline float2 umbrage_cube_lit(metal::texture2d<float> map, float2 size, float3 texel, float receiver) {
     float side = size.y * 0.5;
-    float3 n = umbrage_cube_neighbour(texel, side);
+    float3 n = umbrage_cube_neighbor(texel, side);
     float2 at = umbrage_cube_tile(n.z, side) + float2(n.x, n.y);
     float lit = umbrage_lit(map, size, at, receiver);
     return n.z < 0.0 ? float2(0.0, 0.0) : float2(lit, 1.0);

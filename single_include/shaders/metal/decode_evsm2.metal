@@ -46,10 +46,10 @@ inline float umbrage_exp2_polynomial(float y) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_WARP_DEPTH
-#define UMBRAGE_HAS_WARP_DEPTH
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-inline float umbrage_warp_depth(float depth, float exponent) {
+#ifndef UMBRAGE_HAS_EXPONENTIAL_WARP
+#define UMBRAGE_HAS_EXPONENTIAL_WARP
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+inline float umbrage_exponential_warp(float depth, float exponent) {
     float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -63,10 +63,10 @@ inline float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-inline float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -86,8 +86,8 @@ inline float umbrage_saturate(float v) {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
-    float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    float w = umbrage_warp_depth(d, exponent);
+    float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    float w = umbrage_exponential_warp(d, exponent);
     float least = deviation * w;
     float least_variance = least * least;
     float lit = umbrage_chebyshev(m, w, least_variance);

@@ -26,10 +26,10 @@ inline float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-inline float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -41,7 +41,7 @@ inline float umbrage_forward_depth(float depth) {
 //   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
 inline float umbrage_decode_evsm4_hardware(float4 m, float receiver, float2 exponents, float2 deviations,
                                            float amount) {
-    float d = umbrage_forward_depth(metal::clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    float d = umbrage_to_forward_depth(metal::clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     float w = metal::exp2(exponents.x * d);
     float n = 0.0 - metal::exp2((0.0 - exponents.y) * d);
     float2 least = deviations * float2(w, n);

@@ -28,7 +28,7 @@ inline float4 umbrage_from_unorm(float4 c) {
 #ifndef UMBRAGE_HAS_DECODE_RG14
 #define UMBRAGE_HAS_DECODE_RG14
 // umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 inline float umbrage_decode_rg14(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);

@@ -22,7 +22,7 @@ inline bool umbrage_inside_texel_space(float2 coord) {
 #define UMBRAGE_HAS_PENUMBRA
 // umbrage_penumbra: radius in 1/16 texel, a whole number
 //   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 inline float umbrage_penumbra(float apart, float3 softness) {
     return metal::min(metal::max(metal::floor(apart * softness.x), softness.y), softness.z);
 }
@@ -31,23 +31,23 @@ inline float umbrage_penumbra(float apart, float3 softness) {
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+inline float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = metal::floor(at);
     float2 within = metal::clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 scaled = turn * (radius * (1.0 / 16384.0));
+    float2 scaled = rotation * (radius * (1.0 / 16384.0));
     float x = scaled.x * p.x + within.x - scaled.y * p.y;
     float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + metal::floor(float2(x, y));
 }
 #endif
 
-#ifndef UMBRAGE_HAS_MEND_QUOTIENT
-#define UMBRAGE_HAS_MEND_QUOTIENT
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-inline float umbrage_mend_quotient(float q, float a, float b) {
+#ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
+#define UMBRAGE_HAS_CORRECT_QUOTIENT
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+inline float umbrage_correct_quotient(float q, float a, float b) {
     float low = q * b > a ? q - 1.0 : q;
     return (low + 1.0) * b <= a ? low + 1.0 : low;
 }
@@ -57,15 +57,15 @@ inline float umbrage_mend_quotient(float q, float a, float b) {
 #define UMBRAGE_HAS_FLOOR_DIVIDE
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 inline float umbrage_floor_divide(float a, float b) {
-    return umbrage_mend_quotient(metal::floor(a / b), a, b);
+    return umbrage_correct_quotient(metal::floor(a / b), a, b);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_HARDENED8
-#define UMBRAGE_HAS_HARDENED8
-// umbrage_hardened8: the share of 8 points in shadow, steepened
+#ifndef UMBRAGE_HAS_HARDENED_KERNEL8
+#define UMBRAGE_HAS_HARDENED_KERNEL8
+// umbrage_hardened_kernel8: the share of 8 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-inline float umbrage_hardened8(float blocked, float ratio) {
+inline float umbrage_hardened_kernel8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
     float d = metal::max(8.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     float steep = 512.0 - d * d * d;
@@ -74,20 +74,20 @@ inline float umbrage_hardened8(float blocked, float ratio) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-inline bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -164,18 +164,18 @@ inline float2 umbrage_blocker(metal::texture2d<float> map, float2 size, float2 t
 #define UMBRAGE_HAS_BLOCKERS8
 // umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2 position, float receiver, float radius,
-                                float2 turn) {
+                                float2 rotation) {
     float2 n = float2(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), rotation, radius), receiver);
     return n;
 }
 #endif
@@ -183,19 +183,19 @@ inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2
 #ifndef UMBRAGE_HAS_DPCF8
 #define UMBRAGE_HAS_DPCF8
 // umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float3 softness,
-                           float2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                           float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float widest = umbrage_penumbra(z, softness);
-    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float search_radius = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
-    float dark = umbrage_hardened8(found.x, ratio);
+    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(search_radius, 1.0));
+    float dark = umbrage_hardened_kernel8(found.x, ratio);
     return compared ? metal::clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
 #endif

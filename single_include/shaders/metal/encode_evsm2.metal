@@ -34,10 +34,10 @@ inline float umbrage_exp2_polynomial(float y) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_WARP_DEPTH
-#define UMBRAGE_HAS_WARP_DEPTH
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-inline float umbrage_warp_depth(float depth, float exponent) {
+#ifndef UMBRAGE_HAS_EXPONENTIAL_WARP
+#define UMBRAGE_HAS_EXPONENTIAL_WARP
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+inline float umbrage_exponential_warp(float depth, float exponent) {
     float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -60,10 +60,10 @@ inline float umbrage_saturate(float v) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-inline float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -72,7 +72,7 @@ inline float umbrage_forward_depth(float depth) {
 #define UMBRAGE_HAS_ENCODE_EVSM2
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
 inline float2 umbrage_encode_evsm2(float depth, float exponent) {
-    float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return float2(w, w * w);
 }
 #endif

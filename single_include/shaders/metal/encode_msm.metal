@@ -27,10 +27,10 @@ inline float umbrage_saturate(float v) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-inline float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -39,7 +39,7 @@ inline float umbrage_forward_depth(float depth) {
 #define UMBRAGE_HAS_ENCODE_MSM
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 inline float4 umbrage_encode_msm(float depth) {
-    float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     float square = z * z;
     return float4(z, square, square * z, square * square);
 }

@@ -25,10 +25,10 @@ inline float umbrage_saturate(float v) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-inline float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -37,7 +37,7 @@ inline float umbrage_forward_depth(float depth) {
 #define UMBRAGE_HAS_ENCODE_VSM
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 inline float2 umbrage_encode_vsm(float depth) {
-    float d = umbrage_forward_depth(umbrage_saturate(depth));
+    float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     return float2(d, d * d);
 }
 #endif

@@ -58,29 +58,29 @@ inline float umbrage_exp2_polynomial(float y) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_WARP_DEPTH
-#define UMBRAGE_HAS_WARP_DEPTH
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-inline float umbrage_warp_depth(float depth, float exponent) {
+#ifndef UMBRAGE_HAS_EXPONENTIAL_WARP
+#define UMBRAGE_HAS_EXPONENTIAL_WARP
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+inline float umbrage_exponential_warp(float depth, float exponent) {
     float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-inline bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -103,7 +103,7 @@ inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, fl
 #ifndef UMBRAGE_HAS_FETCH_BILINEAR
 #define UMBRAGE_HAS_FETCH_BILINEAR
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 inline float4 umbrage_fetch_bilinear(metal::texture2d<float> map, float2 size, float2 coord) {
     float2 x = metal::floor(coord * 256.0) - 128.0;
     float2 texel = metal::floor(x * (1.0 / 256.0));
@@ -129,10 +129,10 @@ inline float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-inline float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -152,9 +152,9 @@ inline float umbrage_saturate(float v) {
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 deviations) {
-    float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    float w = umbrage_warp_depth(d, exponents.x);
-    float n = -umbrage_warp_depth(d, -exponents.y);
+    float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    float w = umbrage_exponential_warp(d, exponents.x);
+    float n = -umbrage_exponential_warp(d, -exponents.y);
     float2 least = deviations * float2(w, n);
     float2 least_variance = least * least;
     float a = umbrage_chebyshev(float2(m.x, m.y), w, least_variance.x);
@@ -167,11 +167,11 @@ inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, fl
 #ifndef UMBRAGE_HAS_EVSM4
 #define UMBRAGE_HAS_EVSM4
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 inline float umbrage_evsm4(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 exponents,
                            float2 deviations) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;

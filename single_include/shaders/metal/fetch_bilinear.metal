@@ -26,7 +26,7 @@ inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, fl
 #ifndef UMBRAGE_HAS_FETCH_BILINEAR
 #define UMBRAGE_HAS_FETCH_BILINEAR
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 inline float4 umbrage_fetch_bilinear(metal::texture2d<float> map, float2 size, float2 coord) {
     float2 x = metal::floor(coord * 256.0) - 128.0;
     float2 texel = metal::floor(x * (1.0 / 256.0));

@@ -57,10 +57,10 @@ inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel,
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
@@ -78,7 +78,7 @@ inline float umbrage_four_tap(metal::texture2d<float> map, float2 size, float2 a
     float2 d_texel = metal::floor(d);
     float2 sum = metal::abs(a_texel) + metal::abs(b_texel) + metal::abs(c_texel) + metal::abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;

@@ -9,10 +9,10 @@
 #pragma METAL fp math_mode(safe)
 #pragma METAL fp contract(off)
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
@@ -74,7 +74,7 @@ inline float umbrage_depth_at(metal::texture2d<float> map, float2 size, float2 u
 inline float umbrage_four_tap_hardware(metal::texture2d<float> map, float2 size, float2 a, float2 b, float2 c, float2 d,
                                        float receiver) {
     float2 sum = (metal::abs(a) + metal::abs(b) + metal::abs(c) + metal::abs(d)) * size;
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x + sum.y < 131072.0;
     float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +

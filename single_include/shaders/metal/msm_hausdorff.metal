@@ -82,20 +82,20 @@ inline float umbrage_hausdorff_share(float4 b, float z) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-inline bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -118,7 +118,7 @@ inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, fl
 #ifndef UMBRAGE_HAS_FETCH_BILINEAR
 #define UMBRAGE_HAS_FETCH_BILINEAR
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 inline float4 umbrage_fetch_bilinear(metal::texture2d<float> map, float2 size, float2 coord) {
     float2 x = metal::floor(coord * 256.0) - 128.0;
     float2 texel = metal::floor(x * (1.0 / 256.0));
@@ -144,10 +144,10 @@ inline float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FORWARD_DEPTH
-#define UMBRAGE_HAS_FORWARD_DEPTH
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-inline float umbrage_forward_depth(float depth) {
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 #endif
@@ -158,7 +158,7 @@ inline float umbrage_forward_depth(float depth) {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_to_forward_depth(receiver);
     float4 m = umbrage_bias_moments(b, bias);
     float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
     float4 atoms = umbrage_moment_atoms(m, x);
@@ -177,7 +177,7 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
 inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
     float plain = umbrage_decode_msm(b, receiver, bias);
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_to_forward_depth(receiver);
     float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
     float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     float lit = share >= 0.0 ? 1.0 - share : plain;
@@ -188,11 +188,11 @@ inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias)
 #ifndef UMBRAGE_HAS_MSM_HAUSDORFF
 #define UMBRAGE_HAS_MSM_HAUSDORFF
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 inline float umbrage_msm_hausdorff(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                    float2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;

@@ -10,7 +10,7 @@
 #ifndef UMBRAGE_HAS_OVERLAY_TEXEL
 #define UMBRAGE_HAS_OVERLAY_TEXEL
 // umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
 //   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
 inline float umbrage_overlay_texel(float coord, float size, float map_size, float texels_per_pixel) {
     float texel = metal::floor(coord * texels_per_pixel - 0.5);

@@ -18,12 +18,12 @@ inline float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_PCSS_RADIUS
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
     float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    float least = softness.y * 0.0625;
-    return radius > least ? metal::min(radius, softness.z * 0.0625) : least;
+    float min_radius = softness.y * 0.0625;
+    return radius > min_radius ? metal::min(radius, softness.z * 0.0625) : min_radius;
 }
 #endif

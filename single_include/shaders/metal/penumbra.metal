@@ -10,7 +10,7 @@
 #define UMBRAGE_HAS_PENUMBRA
 // umbrage_penumbra: radius in 1/16 texel, a whole number
 //   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 inline float umbrage_penumbra(float apart, float3 softness) {
     return metal::min(metal::max(metal::floor(apart * softness.x), softness.y), softness.z);
 }

@@ -17,10 +17,10 @@ inline bool umbrage_inside_texel_space(float2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_MEND_QUOTIENT
-#define UMBRAGE_HAS_MEND_QUOTIENT
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-inline float umbrage_mend_quotient(float q, float a, float b) {
+#ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
+#define UMBRAGE_HAS_CORRECT_QUOTIENT
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+inline float umbrage_correct_quotient(float q, float a, float b) {
     float low = q * b > a ? q - 1.0 : q;
     return (low + 1.0) * b <= a ? low + 1.0 : low;
 }
@@ -30,24 +30,24 @@ inline float umbrage_mend_quotient(float q, float a, float b) {
 #define UMBRAGE_HAS_FLOOR_DIVIDE
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 inline float umbrage_floor_divide(float a, float b) {
-    return umbrage_mend_quotient(metal::floor(a / b), a, b);
+    return umbrage_correct_quotient(metal::floor(a / b), a, b);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-inline bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -104,11 +104,11 @@ inline float4 umbrage_box_moments(metal::texture2d<float> map, float2 size, floa
 #define UMBRAGE_HAS_SUMMED_VARIANCE
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 inline float umbrage_summed_variance(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                      float radius, float codes) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = size - 1.0;
     float2 texel = compared ? metal::clamp(metal::floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = metal::max(texel - radius, float2(0.0, 0.0));

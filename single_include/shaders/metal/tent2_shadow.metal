@@ -18,20 +18,20 @@ inline bool umbrage_inside_texel_space(float2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR_SHADOW
-#define UMBRAGE_HAS_BEYOND_FAR_SHADOW
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far_shadow(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED_SHADOW
-#define UMBRAGE_HAS_IS_COMPARED_SHADOW
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-inline bool umbrage_is_compared_shadow(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -71,11 +71,11 @@ inline float4 umbrage_lit_2x2_shadow(metal::depth2d<float> map, metal::sampler m
 #ifndef UMBRAGE_HAS_TENT2_SHADOW
 #define UMBRAGE_HAS_TENT2_SHADOW
 // umbrage_tent2_shadow: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_tent2_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 coord,
                                   float receiver) {
-    bool compared = umbrage_is_compared_shadow(coord, receiver);
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max

@@ -19,27 +19,27 @@ inline bool umbrage_inside_texel_space(float2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-inline bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEFORE_FAR
-#define UMBRAGE_HAS_BEFORE_FAR
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-inline bool umbrage_before_far(float receiver) {
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_within_far_plane(float receiver) {
     return receiver <= 1.0;
 }
 #endif
@@ -107,10 +107,10 @@ inline float4 umbrage_lit_2x2(metal::texture2d<float> map, float2 size, float2 t
 #ifndef UMBRAGE_HAS_PCF_2X2
 #define UMBRAGE_HAS_PCF_2X2
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -144,11 +144,11 @@ inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv,
 #ifndef UMBRAGE_HAS_WINDOW_HARDWARE3
 #define UMBRAGE_HAS_WINDOW_HARDWARE3
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 inline float umbrage_window_hardware3(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float k0,
                                       float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = metal::floor(x);
     float2 s = x - texel;
@@ -169,7 +169,7 @@ inline float umbrage_window_hardware3(metal::texture2d<float> map, float2 size, 
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
-    float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

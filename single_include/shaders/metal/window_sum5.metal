@@ -18,20 +18,20 @@ inline bool umbrage_inside_texel_space(float2 coord) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_BEYOND_FAR
-#define UMBRAGE_HAS_BEYOND_FAR
-// umbrage_beyond_far: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far(float receiver) {
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_IS_COMPARED
-#define UMBRAGE_HAS_IS_COMPARED
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-inline bool umbrage_is_compared(float2 coord, float receiver) {
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
@@ -98,13 +98,13 @@ inline float4 umbrage_lit_2x2(metal::texture2d<float> map, float2 size, float2 t
 #ifndef UMBRAGE_HAS_WINDOW_SUM5
 #define UMBRAGE_HAS_WINDOW_SUM5
 // umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_sum5(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float steps,
                                  float k0, float k1, float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
     float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);

@@ -9,25 +9,25 @@
 
 // umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_blockers16(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: f32,
-                      turn: vec2f) -> vec2f {
+                      rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-12.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-1.0, 13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), rotation, radius), receiver);
     return n;
 }

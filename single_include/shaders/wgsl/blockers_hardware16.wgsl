@@ -5,36 +5,36 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl,
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, texel.wgsl, fetch_clamped.wgsl,
 //   decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl, blocker_at.wgsl; or paste
 //   wgsl_joined/blockers_hardware16.wgsl alone.
 
 // umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                               turn: vec2f) -> vec2f {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+                               rotation: vec2f) -> vec2f {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
     return select(vec2f(0.0, 0.0), n, compared);
 }

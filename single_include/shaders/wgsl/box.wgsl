@@ -5,7 +5,7 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl,
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, box_count.wgsl, box_scale.wgsl; or paste
 //   wgsl_joined/box.wgsl alone.
 

@@ -4,16 +4,16 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl,
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl; or paste wgsl_joined/box_count.wgsl alone.
 
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
 fn umbrage_box_count(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
     let r: i32 = select(select(8, radius, radius < 8), 0, radius < 0);
     let width: i32 = 2 * r + 1;
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let first: vec2f = select(vec2f(0.0, 0.0), floor(coord) - f32(r), compared);
     var count: f32 = 0.0;
     for (var j: i32 = 0; j < 17; j++) {

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// Paste along: texel.wgsl, mend_quotient.wgsl, floor_divide.wgsl; or paste wgsl_joined/box_moments.wgsl alone.
+// Paste along: texel.wgsl, correct_quotient.wgsl, floor_divide.wgsl; or paste wgsl_joined/box_moments.wgsl alone.
 
 // umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
 //   that of their squared distances from mean 4096 high + low;  whole numbers

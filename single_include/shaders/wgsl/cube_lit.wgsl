@@ -4,7 +4,7 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl, cube_neighbour.wgsl, cube_tile.wgsl, compare.wgsl,
+// Paste along: cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl, cube_neighbor.wgsl, cube_tile.wgsl, compare.wgsl,
 //   texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl; or paste wgsl_joined/cube_lit.wgsl
 //   alone.
 
@@ -12,7 +12,7 @@
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 fn umbrage_cube_lit(map: texture_2d<f32>, size: vec2f, texel: vec3f, receiver: f32) -> vec2f {
     let side: f32 = size.y * 0.5;
-    let n: vec3f = umbrage_cube_neighbour(texel, side);
+    let n: vec3f = umbrage_cube_neighbor(texel, side);
     let at: vec2f = umbrage_cube_tile(n.z, side) + vec2f(n.x, n.y);
     let lit: f32 = umbrage_lit(map, size, at, receiver);
     return select(vec2f(lit, 1.0), vec2f(0.0, 0.0), n.z < 0.0);

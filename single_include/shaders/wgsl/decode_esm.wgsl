@@ -2,14 +2,14 @@
 // Tier B: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: cleared_depth.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl; or
-//   paste wgsl_joined/decode_esm.wgsl alone.
+// Paste along: cleared_depth.wgsl, to_forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
+//   exponential_warp.wgsl; or paste wgsl_joined/decode_esm.wgsl alone.
 
 // umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 fn umbrage_decode_esm(m: f32, receiver: f32, exponent: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
-    let p: f32 = m * umbrage_warp_depth(d, -exponent);
+    let d: f32 = umbrage_to_forward_depth(receiver);
+    let p: f32 = m * umbrage_exponential_warp(d, -exponent);
     let lit: f32 = select(select(0.0, 1.0, p >= 1.0), p, p > 0.0 && p < 1.0);
     return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
 }

@@ -2,15 +2,15 @@
 // Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl,
-//   exp2_polynomial.wgsl, warp_depth.wgsl; or paste wgsl_joined/decode_evsm2.wgsl alone.
+// Paste along: chebyshev.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl,
+//   exp2_polynomial.wgsl, exponential_warp.wgsl; or paste wgsl_joined/decode_evsm2.wgsl alone.
 
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 fn umbrage_decode_evsm2(m: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
-    let w: f32 = umbrage_warp_depth(d, exponent);
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    let w: f32 = umbrage_exponential_warp(d, exponent);
     let least: f32 = deviation * w;
     let least_variance: f32 = least * least;
     let lit: f32 = umbrage_chebyshev(m, w, least_variance);

@@ -3,14 +3,14 @@
 // Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl; or paste
+// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl; or paste
 //   wgsl_joined/decode_evsm2_hardware.wgsl alone.
 
 // umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
 fn umbrage_decode_evsm2_hardware(m: vec2f, receiver: f32, exponent: f32, deviation: f32, amount: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    let d: f32 = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     let w: f32 = exp2(exponent * (d * 2.0 - 1.0));
     let least: f32 = deviation * w;
     let variance: f32 = max(m.y - m.x * m.x, least * least);

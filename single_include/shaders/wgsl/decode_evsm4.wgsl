@@ -2,16 +2,16 @@
 // Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl,
-//   exp2_polynomial.wgsl, warp_depth.wgsl; or paste wgsl_joined/decode_evsm4.wgsl alone.
+// Paste along: chebyshev.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl,
+//   exp2_polynomial.wgsl, exponential_warp.wgsl; or paste wgsl_joined/decode_evsm4.wgsl alone.
 
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
-    let w: f32 = umbrage_warp_depth(d, exponents.x);
-    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    let w: f32 = umbrage_exponential_warp(d, exponents.x);
+    let n: f32 = -umbrage_exponential_warp(d, -exponents.y);
     let least: vec2f = deviations * vec2f(w, n);
     let least_variance: vec2f = least * least;
     let a: f32 = umbrage_chebyshev(vec2f(m.x, m.y), w, least_variance.x);

@@ -3,14 +3,14 @@
 // Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl; or paste
+// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl; or paste
 //   wgsl_joined/decode_evsm4_hardware.wgsl alone.
 
 // umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
 fn umbrage_decode_evsm4_hardware(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f, amount: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    let d: f32 = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     let w: f32 = exp2(exponents.x * d);
     let n: f32 = 0.0 - exp2((0.0 - exponents.y) * d);
     let least: vec2f = deviations * vec2f(w, n);

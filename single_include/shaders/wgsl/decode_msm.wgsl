@@ -2,14 +2,14 @@
 // Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl; or paste
+// Paste along: bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, moment_atoms.wgsl; or paste
 //   wgsl_joined/decode_msm.wgsl alone.
 
 // umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_to_forward_depth(receiver);
     let m: vec4f = umbrage_bias_moments(b, bias);
     let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
     let atoms: vec4f = umbrage_moment_atoms(m, x);

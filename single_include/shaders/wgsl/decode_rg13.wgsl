@@ -6,7 +6,7 @@
 // Paste along: from_unorm.wgsl; or paste wgsl_joined/decode_rg13.wgsl alone.
 
 // umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
 fn umbrage_decode_rg13(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);

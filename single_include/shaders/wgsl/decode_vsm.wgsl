@@ -2,10 +2,10 @@
 // Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl; or paste wgsl_joined/decode_vsm.wgsl alone.
+// Paste along: chebyshev.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl; or paste wgsl_joined/decode_vsm.wgsl alone.
 
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 fn umbrage_decode_vsm(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }

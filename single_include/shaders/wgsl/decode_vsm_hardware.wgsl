@@ -2,7 +2,7 @@
 // Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl; or paste
+// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl; or paste
 //   wgsl_joined/decode_vsm_hardware.wgsl alone.
 
 // umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
@@ -10,7 +10,7 @@
 //   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
 fn umbrage_decode_vsm_hardware(held: vec2f, receiver: f32, min_variance: f32, amount: f32) -> f32 {
     let variance: f32 = max(held.y * held.y * 0.25, min_variance);
-    let distance: f32 = umbrage_forward_depth(receiver) - held.x;
+    let distance: f32 = umbrage_to_forward_depth(receiver) - held.x;
     let lit: f32 = umbrage_chebyshev_hardware(variance, distance, amount);
     return select(0.0, lit, abs(receiver) < 1048576.0);
 }

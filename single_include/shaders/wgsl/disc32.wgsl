@@ -4,49 +4,49 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, disc_radius.wgsl, disc_tap.wgsl,
-//   compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl; or paste
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, disc_radius.wgsl,
+//   disc_tap.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl; or paste
 //   wgsl_joined/disc32.wgsl alone.
 
 // umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-fn umbrage_disc32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_disc32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let rho: f32 = umbrage_disc_radius(radius);
     var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-2.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(6.0, -7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-3.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -1.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(13.0, 3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(10.0, -10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-11.0, 9.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -6.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(12.0, 8.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 14.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -15.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-2.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(6.0, -7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-3.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(13.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(10.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-11.0, 9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(12.0, 8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -15.0), rotation, rho), receiver);
     return select(1.0, n * (1.0 / 32.0), compared);
 }

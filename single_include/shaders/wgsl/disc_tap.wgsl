@@ -3,13 +3,13 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, turn: vec2f, radius: f32) -> vec2f {
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let scaled: vec2f = turn * (radius * (1.0 / 16384.0));
+    let scaled: vec2f = rotation * (radius * (1.0 / 16384.0));
     let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
     let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2f(x, y));

@@ -4,23 +4,24 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, distance_code.wgsl,
-//   penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl,
-//   blocker.wgsl, blockers16.wgsl, mend_quotient.wgsl, floor_divide.wgsl, hardened16.wgsl; or paste
-//   wgsl_joined/dpcf16.wgsl alone.
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, cleared_depth.wgsl,
+//   distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl,
+//   compare.wgsl, blocker.wgsl, blockers16.wgsl, correct_quotient.wgsl, floor_divide.wgsl, hardened_kernel16.wgsl; or
+//   paste wgsl_joined/dpcf16.wgsl alone.
 
 // umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-fn umbrage_dpcf16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+fn umbrage_dpcf16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
+                  rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let widest: f32 = umbrage_penumbra(z, softness);
-    let found: vec2f = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    let dark: f32 = umbrage_hardened16(found.x, ratio);
+    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    let dark: f32 = umbrage_hardened_kernel16(found.x, ratio);
     return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }

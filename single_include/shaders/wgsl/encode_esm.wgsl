@@ -4,10 +4,10 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of esm: R32F, not sRGB, no blending, one sample. Clear to umbrage_encode_esm of the far plane's
 //   depth.
-// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
-//   warp_depth.wgsl; or paste wgsl_joined/encode_esm.wgsl alone.
+// Paste along: cleared_depth.wgsl, saturate.wgsl, to_forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
+//   exponential_warp.wgsl; or paste wgsl_joined/encode_esm.wgsl alone.
 
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_esm(depth: f32, exponent: f32) -> f32 {
-    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }

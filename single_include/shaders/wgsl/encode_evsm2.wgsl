@@ -4,11 +4,11 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of evsm2: RG32F, not sRGB, no blending, one sample. Clear to umbrage_encode_evsm2 of the far plane's
 //   depth.
-// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
-//   warp_depth.wgsl; or paste wgsl_joined/encode_evsm2.wgsl alone.
+// Paste along: cleared_depth.wgsl, saturate.wgsl, to_forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
+//   exponential_warp.wgsl; or paste wgsl_joined/encode_evsm2.wgsl alone.
 
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_evsm2(depth: f32, exponent: f32) -> vec2f {
-    let w: f32 = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    let w: f32 = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return vec2f(w, w * w);
 }

@@ -4,13 +4,13 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of evsm4: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_evsm4 of the far
 //   plane's depth.
-// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
-//   warp_depth.wgsl; or paste wgsl_joined/encode_evsm4.wgsl alone.
+// Paste along: cleared_depth.wgsl, saturate.wgsl, to_forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
+//   exponential_warp.wgsl; or paste wgsl_joined/encode_evsm4.wgsl alone.
 
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
 fn umbrage_encode_evsm4(depth: f32, exponents: vec2f) -> vec4f {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(depth));
-    let w: f32 = umbrage_warp_depth(d, exponents.x);
-    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(depth));
+    let w: f32 = umbrage_exponential_warp(d, exponents.x);
+    let n: f32 = -umbrage_exponential_warp(d, -exponents.y);
     return vec4f(w, w * w, n, n * n);
 }

@@ -6,11 +6,11 @@
 //   depth.
 // Render target of msm_hausdorff: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far
 //   plane's depth.
-// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl; or paste wgsl_joined/encode_msm.wgsl alone.
+// Paste along: cleared_depth.wgsl, saturate.wgsl, to_forward_depth.wgsl; or paste wgsl_joined/encode_msm.wgsl alone.
 
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_msm(depth: f32) -> vec4f {
-    let z: f32 = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    let z: f32 = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     let square: f32 = z * z;
     return vec4f(z, square, square * z, square * square);
 }

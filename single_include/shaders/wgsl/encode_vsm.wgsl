@@ -4,10 +4,10 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of vsm: RG32F, not sRGB, no blending, one sample. Clear to umbrage_encode_vsm of the far plane's
 //   depth.
-// Paste along: cleared_depth.wgsl, saturate.wgsl, forward_depth.wgsl; or paste wgsl_joined/encode_vsm.wgsl alone.
+// Paste along: cleared_depth.wgsl, saturate.wgsl, to_forward_depth.wgsl; or paste wgsl_joined/encode_vsm.wgsl alone.
 
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_vsm(depth: f32) -> vec2f {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(depth));
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(depth));
     return vec2f(d, d * d);
 }

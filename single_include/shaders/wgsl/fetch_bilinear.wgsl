@@ -6,7 +6,7 @@
 // Paste along: texel.wgsl, fetch_clamped.wgsl; or paste wgsl_joined/fetch_bilinear.wgsl alone.
 
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> vec4f {
     let x: vec2f = floor(coord * 256.0) - 128.0;
     let texel: vec2f = floor(x * (1.0 / 256.0));

@@ -2,9 +2,9 @@
 //   A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: mend_quotient.wgsl; or paste wgsl_joined/floor_divide.wgsl alone.
+// Paste along: correct_quotient.wgsl; or paste wgsl_joined/floor_divide.wgsl alone.
 
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }

@@ -5,7 +5,7 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: beyond_far.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl,
+// Paste along: beyond_far_plane.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl,
 //   depth_at.wgsl; or paste wgsl_joined/four_tap_hardware.wgsl alone.
 
 // umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
@@ -14,7 +14,7 @@
 fn umbrage_four_tap_hardware(map: texture_2d<f32>, size: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f,
                              receiver: f32) -> f32 {
     let sum: vec2f = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
-    let compared: bool = select((sum.x + sum.y < 131072.0), false, umbrage_beyond_far(receiver));
+    let compared: bool = select((sum.x + sum.y < 131072.0), false, umbrage_beyond_far_plane(receiver));
     let count: f32 = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +

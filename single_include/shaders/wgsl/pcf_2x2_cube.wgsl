@@ -5,16 +5,17 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cube_face.wgsl, cube_plane.wgsl,
-//   cube_point.wgsl, cube_neighbour.wgsl, cube_tile.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl,
-//   fetch_depth.wgsl, lit.wgsl, cube_lit.wgsl; or paste wgsl_joined/pcf_2x2_cube.wgsl alone.
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, cube_face.wgsl,
+//   cube_plane.wgsl, cube_point.wgsl, cube_neighbor.wgsl, cube_tile.wgsl, compare.wgsl, texel.wgsl,
+//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, cube_lit.wgsl; or paste
+//   wgsl_joined/pcf_2x2_cube.wgsl alone.
 
 // umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
 //   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
 //   receiver   distance from the light, biased
 fn umbrage_pcf_2x2_cube(map: texture_2d<f32>, size: vec2f, at: vec3f, receiver: f32) -> f32 {
     let coord: vec2f = vec2f(at.x, at.y);
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0 + 0.5) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp

@@ -5,14 +5,14 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: compare_dx_sdk.wgsl, inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl,
-//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl; or paste wgsl_joined/pcf_2x2_dx_sdk.wgsl alone.
+// Paste along: compare_dx_sdk.wgsl, inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl,
+//   texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl; or paste wgsl_joined/pcf_2x2_dx_sdk.wgsl alone.
 
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 fn umbrage_pcf_2x2_dx_sdk(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, epsilon: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x);
     let weight: vec2f = x - texel;

@@ -4,15 +4,15 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl,
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste
 //   wgsl_joined/quadratic_b_spline.wgsl alone.
 
 // umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_quadratic_b_spline(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max

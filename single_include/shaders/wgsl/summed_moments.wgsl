@@ -3,22 +3,22 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, box_mean.wgsl,
-//   turn_moments_back.wgsl, bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl,
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, texel.wgsl, box_mean.wgsl,
+//   from_optimized_moments.wgsl, bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, moment_atoms.wgsl,
 //   decode_msm.wgsl; or paste wgsl_joined/summed_moments.wgsl alone.
 
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 fn umbrage_summed_moments(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                           bias: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let last: vec2f = vec2f(size.x * 0.5, size.y) - 1.0;
     let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
     let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
     let end: vec2f = min(texel + radius + 1.0, last);
     let turned: vec4f = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    let lit: f32 = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    let lit: f32 = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return select(1.0, lit, compared);
 }

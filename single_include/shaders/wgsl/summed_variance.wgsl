@@ -4,16 +4,16 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, texel.wgsl,
-//   mend_quotient.wgsl, floor_divide.wgsl, box_moments.wgsl; or paste wgsl_joined/summed_variance.wgsl alone.
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, cleared_depth.wgsl, texel.wgsl,
+//   correct_quotient.wgsl, floor_divide.wgsl, box_moments.wgsl; or paste wgsl_joined/summed_variance.wgsl alone.
 
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 fn umbrage_summed_variance(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                            codes: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let last: vec2f = size - 1.0;
     let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
     let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));

@@ -6,15 +6,15 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, before_far.wgsl, compare.wgsl, texel.wgsl,
-//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl,
-//   lit_at.wgsl; or paste wgsl_joined/window_hardware3.wgsl alone.
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, within_far_plane.wgsl,
+//   compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl,
+//   pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl; or paste wgsl_joined/window_hardware3.wgsl alone.
 
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
     let s: vec2f = x - texel;
@@ -35,6 +35,6 @@ fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
     n += w1.y * row;
     let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
-    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
+    let visibility: f32 = select(0.0, share, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }

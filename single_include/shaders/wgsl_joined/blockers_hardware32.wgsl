@@ -12,15 +12,15 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -62,47 +62,47 @@ fn umbrage_blocker_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f3
 }
 
 // umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                               turn: vec2f) -> vec2f {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+                               rotation: vec2f) -> vec2f {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 15.0, receiver);
     return select(vec2f(0.0, 0.0), n, compared);
 }

@@ -4,15 +4,15 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
 
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-fn umbrage_mend_quotient(q: f32, a: f32, b: f32) -> f32 {
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+fn umbrage_correct_quotient(q: f32, a: f32, b: f32) -> f32 {
     let low: f32 = select(q, q - 1.0, q * b > a);
     return select(low, low + 1.0, (low + 1.0) * b <= a);
 }
 
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }
 
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first

@@ -26,15 +26,15 @@ fn umbrage_box_scale(radius: i32) -> f32 {
     return scale;
 }
 
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-fn umbrage_beyond_far_shadow(receiver: f32) -> bool {
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared_shadow(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_shadow(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
 // umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
@@ -51,13 +51,13 @@ fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, si
 }
 
 // umbrage_box_count_shadow: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
 fn umbrage_box_count_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
                             receiver: f32, radius: i32) -> f32 {
     let r: i32 = select(select(8, radius, radius < 8), 0, radius < 0);
     let width: i32 = 2 * r + 1;
-    let compared: bool = umbrage_is_compared_shadow(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
     let first: vec2f = select(vec2f(0.0, 0.0), floor(coord) - f32(r), compared);
     var count: f32 = 0.0;
     for (var j: i32 = 0; j < 17; j++) {

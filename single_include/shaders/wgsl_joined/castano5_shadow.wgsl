@@ -12,15 +12,15 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-fn umbrage_beyond_far_shadow(receiver: f32) -> bool {
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared_shadow(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_shadow(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
 // umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
@@ -47,13 +47,13 @@ fn umbrage_lit_2x2_shadow(map: texture_depth_2d, map_sampler: sampler_comparison
 }
 
 // umbrage_window_sum5_shadow: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_sum5_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
                               receiver: f32, steps: f32, k0: f32, k1: f32, k2: f32) -> f32 {
-    let compared: bool = umbrage_is_compared_shadow(coord, receiver);  // no branch: fetches overlap
+    let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);  // no branch: fetches overlap
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -86,7 +86,7 @@ fn umbrage_window_sum5_shadow(map: texture_depth_2d, map_sampler: sampler_compar
 }
 
 // umbrage_castano5_shadow: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_castano5_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
                            receiver: f32) -> f32 {

@@ -32,9 +32,9 @@ fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
     return select(select(z, y, face < 3.5), x, face < 1.5);
 }
 
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-fn umbrage_cube_neighbour(texel: vec3f, size: f32) -> vec3f {
+fn umbrage_cube_neighbor(texel: vec3f, size: f32) -> vec3f {
     let uv: vec2f = vec2f(texel.x, texel.y) * 2.0 + (1.0 - size);
     let beyond_u: bool = abs(uv.x) > size;
     let beyond_v: bool = abs(uv.y) > size;
@@ -84,7 +84,7 @@ fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 fn umbrage_cube_lit(map: texture_2d<f32>, size: vec2f, texel: vec3f, receiver: f32) -> vec2f {
     let side: f32 = size.y * 0.5;
-    let n: vec3f = umbrage_cube_neighbour(texel, side);
+    let n: vec3f = umbrage_cube_neighbor(texel, side);
     let at: vec2f = umbrage_cube_tile(n.z, side) + vec2f(n.x, n.y);
     let lit: f32 = umbrage_lit(map, size, at, receiver);
     return select(vec2f(lit, 1.0), vec2f(0.0, 0.0), n.z < 0.0);

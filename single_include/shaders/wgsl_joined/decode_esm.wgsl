@@ -23,8 +23,8 @@ fn umbrage_exp2_polynomial(y: f32) -> f32 {
     return p * umbrage_power_of_two(n);
 }
 
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_exponential_warp(depth: f32, exponent: f32) -> f32 {
     let y: f32 = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -34,16 +34,16 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
 // umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 fn umbrage_decode_esm(m: f32, receiver: f32, exponent: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
-    let p: f32 = m * umbrage_warp_depth(d, -exponent);
+    let d: f32 = umbrage_to_forward_depth(receiver);
+    let p: f32 = m * umbrage_exponential_warp(d, -exponent);
     let lit: f32 = select(select(0.0, 1.0, p >= 1.0), p, p > 0.0 && p < 1.0);
     return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
 }

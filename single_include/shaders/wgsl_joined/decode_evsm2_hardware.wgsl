@@ -17,8 +17,8 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
@@ -26,7 +26,7 @@ fn umbrage_forward_depth(depth: f32) -> f32 {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
 fn umbrage_decode_evsm2_hardware(m: vec2f, receiver: f32, exponent: f32, deviation: f32, amount: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    let d: f32 = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     let w: f32 = exp2(exponent * (d * 2.0 - 1.0));
     let least: f32 = deviation * w;
     let variance: f32 = max(m.y - m.x * m.x, least * least);

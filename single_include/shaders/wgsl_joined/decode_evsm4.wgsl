@@ -34,8 +34,8 @@ fn umbrage_exp2_polynomial(y: f32) -> f32 {
     return p * umbrage_power_of_two(n);
 }
 
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_exponential_warp(depth: f32, exponent: f32) -> f32 {
     let y: f32 = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -45,8 +45,8 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
@@ -60,9 +60,9 @@ fn umbrage_saturate(v: f32) -> f32 {
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
-    let w: f32 = umbrage_warp_depth(d, exponents.x);
-    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    let w: f32 = umbrage_exponential_warp(d, exponents.x);
+    let n: f32 = -umbrage_exponential_warp(d, -exponents.y);
     let least: vec2f = deviations * vec2f(w, n);
     let least_variance: vec2f = least * least;
     let a: f32 = umbrage_chebyshev(vec2f(m.x, m.y), w, least_variance.x);

@@ -17,8 +17,8 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
@@ -26,7 +26,7 @@ fn umbrage_forward_depth(depth: f32) -> f32 {
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
 fn umbrage_decode_evsm4_hardware(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f, amount: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    let d: f32 = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     let w: f32 = exp2(exponents.x * d);
     let n: f32 = 0.0 - exp2((0.0 - exponents.y) * d);
     let least: vec2f = deviations * vec2f(w, n);

@@ -63,8 +63,8 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
@@ -72,7 +72,7 @@ fn umbrage_forward_depth(depth: f32) -> f32 {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_to_forward_depth(receiver);
     let m: vec4f = umbrage_bias_moments(b, bias);
     let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
     let atoms: vec4f = umbrage_moment_atoms(m, x);
@@ -88,7 +88,7 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
 fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let plain: f32 = umbrage_decode_msm(b, receiver, bias);
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_to_forward_depth(receiver);
     let z: f32 = select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0;
     let share: f32 = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     let lit: f32 = select(plain, 1.0 - share, share >= 0.0);

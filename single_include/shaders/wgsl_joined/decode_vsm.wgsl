@@ -19,13 +19,13 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 fn umbrage_decode_vsm(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }

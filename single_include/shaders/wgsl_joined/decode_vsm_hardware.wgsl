@@ -16,8 +16,8 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
@@ -26,7 +26,7 @@ fn umbrage_forward_depth(depth: f32) -> f32 {
 //   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
 fn umbrage_decode_vsm_hardware(held: vec2f, receiver: f32, min_variance: f32, amount: f32) -> f32 {
     let variance: f32 = max(held.y * held.y * 0.25, min_variance);
-    let distance: f32 = umbrage_forward_depth(receiver) - held.x;
+    let distance: f32 = umbrage_to_forward_depth(receiver) - held.x;
     let lit: f32 = umbrage_chebyshev_hardware(variance, distance, amount);
     return select(0.0, lit, abs(receiver) < 1048576.0);
 }

@@ -18,27 +18,27 @@ fn umbrage_disc_radius(radius: f32) -> f32 {
 }
 
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, turn: vec2f, radius: f32) -> vec2f {
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let scaled: vec2f = turn * (radius * (1.0 / 16384.0));
+    let scaled: vec2f = rotation * (radius * (1.0 / 16384.0));
     let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
     let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2f(x, y));
 }
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -72,28 +72,28 @@ fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -
 }
 
 // umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
-fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let rho: f32 = umbrage_disc_radius(radius);
     var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -3.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, 2.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 7.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, -5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 5.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-1.0, 13.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, 10.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -4.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -12.0), turn, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-1.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), rotation, rho), receiver);
     return select(1.0, n * (1.0 / 16.0), compared);
 }

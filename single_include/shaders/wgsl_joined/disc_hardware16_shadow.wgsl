@@ -12,19 +12,19 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-fn umbrage_beyond_far_shadow(receiver: f32) -> bool {
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared_shadow(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_shadow(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
-// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
-fn umbrage_before_far_shadow(receiver: f32) -> bool {
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+fn umbrage_within_far_plane_shadow(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
 
@@ -36,32 +36,32 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
 }
 
 // umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
-                                  receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared_shadow(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+                                  receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: f32 = 0.0;
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 14.0 - y * 2.0, receiver);
-    let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_before_far_shadow(receiver));
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, receiver);
+    let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_within_far_plane_shadow(receiver));
     return select(1.0, visibility, compared);
 }

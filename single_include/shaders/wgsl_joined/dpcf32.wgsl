@@ -13,38 +13,38 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
 
 // umbrage_penumbra: radius in 1/16 texel, a whole number
 //   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 fn umbrage_penumbra(apart: f32, softness: vec3f) -> f32 {
     return min(max(floor(apart * softness.x), softness.y), softness.z);
 }
 
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, turn: vec2f, radius: f32) -> vec2f {
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let scaled: vec2f = turn * (radius * (1.0 / 16384.0));
+    let scaled: vec2f = rotation * (radius * (1.0 / 16384.0));
     let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
     let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2f(x, y));
 }
 
-// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
-fn umbrage_mend_quotient(q: f32, a: f32, b: f32) -> f32 {
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+fn umbrage_correct_quotient(q: f32, a: f32, b: f32) -> f32 {
     let low: f32 = select(q, q - 1.0, q * b > a);
     return select(low, low + 1.0, (low + 1.0) * b <= a);
 }
 
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
 fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
-    return umbrage_mend_quotient(floor(a / b), a, b);
+    return umbrage_correct_quotient(floor(a / b), a, b);
 }
 
-// umbrage_hardened32: the share of 32 points in shadow, steepened
+// umbrage_hardened_kernel32: the share of 32 points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
-fn umbrage_hardened32(blocked: f32, ratio: f32) -> f32 {
+fn umbrage_hardened_kernel32(blocked: f32, ratio: f32) -> f32 {
     let u: f32 = blocked * 2.0 - 32.0;
     let d: f32 = max(32.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
     let steep: f32 = 32768.0 - d * d * d;
@@ -52,15 +52,15 @@ fn umbrage_hardened32(blocked: f32, ratio: f32) -> f32 {
     return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
 }
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
 // umbrage_cleared_depth: depth of the far plane
@@ -110,57 +110,58 @@ fn umbrage_blocker(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f3
 
 // umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_blockers32(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: f32,
-                      turn: vec2f) -> vec2f {
+                      rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-2.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(6.0, -7.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, 5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-3.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, 10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, -8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, -5.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, -12.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -1.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(13.0, 3.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, 4.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(10.0, -10.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-11.0, 9.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -6.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(12.0, 8.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 14.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -13.0), turn, radius), receiver);
-    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -15.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -15.0), rotation, radius), receiver);
     return n;
 }
 
 // umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
-fn umbrage_dpcf32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+fn umbrage_dpcf32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
+                  rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let widest: f32 = umbrage_penumbra(z, softness);
-    let found: vec2f = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
-    let dark: f32 = umbrage_hardened32(found.x, ratio);
+    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    let dark: f32 = umbrage_hardened_kernel32(found.x, ratio);
     return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }

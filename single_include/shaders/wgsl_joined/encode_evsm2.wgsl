@@ -25,8 +25,8 @@ fn umbrage_exp2_polynomial(y: f32) -> f32 {
     return p * umbrage_power_of_two(n);
 }
 
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_exponential_warp(depth: f32, exponent: f32) -> f32 {
     let y: f32 = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -42,13 +42,13 @@ fn umbrage_saturate(v: f32) -> f32 {
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_evsm2(depth: f32, exponent: f32) -> vec2f {
-    let w: f32 = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    let w: f32 = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return vec2f(w, w * w);
 }

@@ -25,8 +25,8 @@ fn umbrage_exp2_polynomial(y: f32) -> f32 {
     return p * umbrage_power_of_two(n);
 }
 
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_exponential_warp(depth: f32, exponent: f32) -> f32 {
     let y: f32 = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -42,15 +42,15 @@ fn umbrage_saturate(v: f32) -> f32 {
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
 fn umbrage_encode_evsm4(depth: f32, exponents: vec2f) -> vec4f {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(depth));
-    let w: f32 = umbrage_warp_depth(d, exponents.x);
-    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(depth));
+    let w: f32 = umbrage_exponential_warp(d, exponents.x);
+    let n: f32 = -umbrage_exponential_warp(d, -exponents.y);
     return vec4f(w, w * w, n, n * n);
 }

@@ -18,14 +18,14 @@ fn umbrage_saturate(v: f32) -> f32 {
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_msm(depth: f32) -> vec4f {
-    let z: f32 = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    let z: f32 = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     let square: f32 = z * z;
     return vec4f(z, square, square * z, square * square);
 }

@@ -16,13 +16,13 @@ fn umbrage_saturate(v: f32) -> f32 {
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 fn umbrage_encode_vsm(depth: f32) -> vec2f {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(depth));
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(depth));
     return vec2f(d, d * d);
 }

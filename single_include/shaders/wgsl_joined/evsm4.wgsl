@@ -43,21 +43,21 @@ fn umbrage_exp2_polynomial(y: f32) -> f32 {
     return p * umbrage_power_of_two(n);
 }
 
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_exponential_warp(depth: f32, exponent: f32) -> f32 {
     let y: f32 = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -71,7 +71,7 @@ fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec
 }
 
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> vec4f {
     let x: vec2f = floor(coord * 256.0) - 128.0;
     let texel: vec2f = floor(x * (1.0 / 256.0));
@@ -93,8 +93,8 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
@@ -108,9 +108,9 @@ fn umbrage_saturate(v: f32) -> f32 {
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
-    let w: f32 = umbrage_warp_depth(d, exponents.x);
-    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    let d: f32 = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    let w: f32 = umbrage_exponential_warp(d, exponents.x);
+    let n: f32 = -umbrage_exponential_warp(d, -exponents.y);
     let least: vec2f = deviations * vec2f(w, n);
     let least_variance: vec2f = least * least;
     let a: f32 = umbrage_chebyshev(vec2f(m.x, m.y), w, least_variance.x);
@@ -120,11 +120,11 @@ fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: v
 }
 
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 fn umbrage_evsm4(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, exponents: vec2f,
                  deviations: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return select(1.0, lit, compared);

@@ -6,8 +6,8 @@
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
@@ -48,7 +48,7 @@ fn umbrage_depth_at(map: texture_2d<f32>, size: vec2f, uv: vec2f) -> f32 {
 fn umbrage_four_tap_hardware(map: texture_2d<f32>, size: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f,
                              receiver: f32) -> f32 {
     let sum: vec2f = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
-    let compared: bool = select((sum.x + sum.y < 131072.0), false, umbrage_beyond_far(receiver));
+    let compared: bool = select((sum.x + sum.y < 131072.0), false, umbrage_beyond_far_plane(receiver));
     let count: f32 = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
         umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +

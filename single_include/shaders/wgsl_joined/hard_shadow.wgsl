@@ -11,15 +11,15 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-fn umbrage_beyond_far_shadow(receiver: f32) -> bool {
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared_shadow(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_shadow(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
 // umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
@@ -36,11 +36,11 @@ fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, si
 }
 
 // umbrage_hard_shadow: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_hard_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
                        receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared_shadow(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
     let texel: vec2f = select(vec2f(0.0, 0.0), floor(coord), compared);  // no branch: fetches of several taps overlap
     let lit: f32 = umbrage_lit_shadow(map, map_sampler, size, texel, receiver);
     return select(1.0, lit, compared);

@@ -67,15 +67,15 @@ fn umbrage_hausdorff_share(b: vec4f, z: f32) -> f32 {
     return select(select(-1.0, select(1.0, share, share < 1.0), four), 0.0, z <= -1.0);
 }
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -89,7 +89,7 @@ fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec
 }
 
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> vec4f {
     let x: vec2f = floor(coord * 256.0) - 128.0;
     let texel: vec2f = floor(x * (1.0 / 256.0));
@@ -111,8 +111,8 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
@@ -120,7 +120,7 @@ fn umbrage_forward_depth(depth: f32) -> f32 {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_to_forward_depth(receiver);
     let m: vec4f = umbrage_bias_moments(b, bias);
     let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
     let atoms: vec4f = umbrage_moment_atoms(m, x);
@@ -136,7 +136,7 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
 fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let plain: f32 = umbrage_decode_msm(b, receiver, bias);
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_to_forward_depth(receiver);
     let z: f32 = select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0;
     let share: f32 = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     let lit: f32 = select(plain, 1.0 - share, share >= 0.0);
@@ -144,10 +144,10 @@ fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 }
 
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 fn umbrage_msm_hausdorff(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return select(1.0, lit, compared);

@@ -39,9 +39,9 @@ fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
     return select(select(z, y, face < 3.5), x, face < 1.5);
 }
 
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-fn umbrage_cube_neighbour(texel: vec3f, size: f32) -> vec3f {
+fn umbrage_cube_neighbor(texel: vec3f, size: f32) -> vec3f {
     let uv: vec2f = vec2f(texel.x, texel.y) * 2.0 + (1.0 - size);
     let beyond_u: bool = abs(uv.x) > size;
     let beyond_v: bool = abs(uv.y) > size;
@@ -57,15 +57,15 @@ fn umbrage_cube_tile(face: f32, size: f32) -> vec2f {
     return vec2f((face - row * 3.0) * size, row * size);
 }
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -102,7 +102,7 @@ fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 fn umbrage_cube_lit(map: texture_2d<f32>, size: vec2f, texel: vec3f, receiver: f32) -> vec2f {
     let side: f32 = size.y * 0.5;
-    let n: vec3f = umbrage_cube_neighbour(texel, side);
+    let n: vec3f = umbrage_cube_neighbor(texel, side);
     let at: vec2f = umbrage_cube_tile(n.z, side) + vec2f(n.x, n.y);
     let lit: f32 = umbrage_lit(map, size, at, receiver);
     return select(vec2f(lit, 1.0), vec2f(0.0, 0.0), n.z < 0.0);
@@ -113,7 +113,7 @@ fn umbrage_cube_lit(map: texture_2d<f32>, size: vec2f, texel: vec3f, receiver: f
 //   receiver   distance from the light, biased
 fn umbrage_pcf_2x2_cube(map: texture_2d<f32>, size: vec2f, at: vec3f, receiver: f32) -> f32 {
     let coord: vec2f = vec2f(at.x, at.y);
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0 + 0.5) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp

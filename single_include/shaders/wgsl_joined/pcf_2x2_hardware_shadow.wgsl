@@ -12,19 +12,19 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-fn umbrage_beyond_far_shadow(receiver: f32) -> bool {
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared_shadow(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_shadow(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
-// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
-fn umbrage_before_far_shadow(receiver: f32) -> bool {
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+fn umbrage_within_far_plane_shadow(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
 
@@ -36,13 +36,13 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
 }
 
 // umbrage_pcf_2x2_hardware_shadow: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_pcf_2x2_hardware_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
                                    receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared_shadow(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), coord, compared);
     let lit: f32 = umbrage_lit_at_shadow(map, map_sampler, size, at / size, receiver);
-    let visibility: f32 = select(0.0, lit, umbrage_before_far_shadow(receiver));
+    let visibility: f32 = select(0.0, lit, umbrage_within_far_plane_shadow(receiver));
     return select(1.0, visibility, compared);
 }

@@ -16,8 +16,8 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
-fn umbrage_disc_turn(pixel: vec2f) -> vec2f {
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
     let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
     var v: f32 = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -25,9 +25,9 @@ fn umbrage_disc_turn(pixel: vec2f) -> vec2f {
     let base: f32 = v - quarter * 4.0;
     let low: vec2f = select(vec2f(59.0, 24.0), vec2f(64.0, 0.0), base < 0.5);
     let high: vec2f = select(vec2f(24.0, 59.0), vec2f(45.0, 45.0), base < 2.5);
-    let turn: vec2f = select(high, low, base < 1.5);
-    let once: vec2f = select(vec2f(0.0 - turn.y, turn.x), turn, quarter < 0.5);
-    let twice: vec2f = select(vec2f(turn.y, 0.0 - turn.x), vec2f(0.0 - turn.x, 0.0 - turn.y), quarter < 2.5);
+    let first: vec2f = select(high, low, base < 1.5);
+    let once: vec2f = select(vec2f(0.0 - first.y, first.x), first, quarter < 0.5);
+    let twice: vec2f = select(vec2f(first.y, 0.0 - first.x), vec2f(0.0 - first.x, 0.0 - first.y), quarter < 2.5);
     return select(twice, once, quarter < 1.5);
 }
 
@@ -38,24 +38,24 @@ fn umbrage_cleared_depth() -> f32 {
 
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
     let forward: bool = umbrage_cleared_depth() > 0.5;
     let mean: f32 = select(select(1.0, 0.0, forward), found.y / found.x, found.x > 0.5);
     let radius: f32 = select(mean - receiver, receiver - mean, forward) * (softness.x * 4096.0);
-    let least: f32 = softness.y * 0.0625;
-    return select(least, min(radius, softness.z * 0.0625), radius > least);
+    let min_radius: f32 = softness.y * 0.0625;
+    return select(min_radius, min(radius, softness.z * 0.0625), radius > min_radius);
 }
 
-// umbrage_beyond_far_depths: whether a receiver is behind the far plane
-fn umbrage_beyond_far_depths(receiver: f32) -> bool {
+// umbrage_beyond_far_plane_depths: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane_depths(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared_depths: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared_depths(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain_depths: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain_depths(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_depths(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_depths(receiver));
 }
 
 // umbrage_texel_depths: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -97,48 +97,48 @@ fn umbrage_blocker_at_depths(map: texture_depth_2d, size: vec2f, uv: vec2f, rece
 }
 
 // umbrage_blockers_hardware16_depths: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware16_depths(map: texture_depth_2d, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                                      turn: vec2f) -> vec2f {
-    let compared: bool = umbrage_is_compared_depths(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+                                      rotation: vec2f) -> vec2f {
+    let compared: bool = umbrage_in_filter_domain_depths(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: vec2f = vec2f(0.0, 0.0);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_blocker_at_depths(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 14.0 - y * 2.0, receiver);
     return select(vec2f(0.0, 0.0), n, compared);
 }
 
-// umbrage_beyond_far_shadow: whether a receiver is behind the far plane
-fn umbrage_beyond_far_shadow(receiver: f32) -> bool {
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared_shadow: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared_shadow(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_shadow(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
-// umbrage_before_far_shadow: whether a receiver is a number, and not behind the far plane
-fn umbrage_before_far_shadow(receiver: f32) -> bool {
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+fn umbrage_within_far_plane_shadow(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
 
@@ -150,32 +150,32 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
 }
 
 // umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
-                                  receiver: f32, radius: f32, turn: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared_shadow(coord, receiver);
-    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+                                  receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
+    let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: f32 = 0.0;
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, centre + x * 14.0 - y * 2.0, receiver);
-    let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_before_far_shadow(receiver));
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, receiver);
+    let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_within_far_plane_shadow(receiver));
     return select(1.0, visibility, compared);
 }

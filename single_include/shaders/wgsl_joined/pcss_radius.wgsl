@@ -10,11 +10,11 @@ fn umbrage_cleared_depth() -> f32 {
 
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
     let forward: bool = umbrage_cleared_depth() > 0.5;
     let mean: f32 = select(select(1.0, 0.0, forward), found.y / found.x, found.x > 0.5);
     let radius: f32 = select(mean - receiver, receiver - mean, forward) * (softness.x * 4096.0);
-    let least: f32 = softness.y * 0.0625;
-    return select(least, min(radius, softness.z * 0.0625), radius > least);
+    let min_radius: f32 = softness.y * 0.0625;
+    return select(min_radius, min(radius, softness.z * 0.0625), radius > min_radius);
 }

@@ -10,8 +10,8 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-fn umbrage_turn_moments_back(o: vec4f) -> vec4f {
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+fn umbrage_from_optimized_moments(o: vec4f) -> vec4f {
     let x: f32 = o.x - 0.5;
     let z: f32 = o.z - 0.5;
     let eighth: f32 = o.y * 0.125;
@@ -52,15 +52,15 @@ fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
     return vec4f(t.x, t.y, least / sum.x, least / sum.y);
 }
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -94,8 +94,8 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
@@ -103,7 +103,7 @@ fn umbrage_forward_depth(depth: f32) -> f32 {
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_to_forward_depth(receiver);
     let m: vec4f = umbrage_bias_moments(b, bias);
     let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
     let atoms: vec4f = umbrage_moment_atoms(m, x);
@@ -117,16 +117,16 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 fn umbrage_summed_moments(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                           bias: vec2f) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let last: vec2f = vec2f(size.x * 0.5, size.y) - 1.0;
     let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
     let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
     let end: vec2f = min(texel + radius + 1.0, last);
     let turned: vec4f = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    let lit: f32 = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    let lit: f32 = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return select(1.0, lit, compared);
 }

@@ -23,15 +23,15 @@ fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
     return select(select(0.0, min(p, 1.0), p > 0.0), 1.0, receiver <= m.x);  // a GPU's v / v may be more than 1.0
 }
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -45,7 +45,7 @@ fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec
 }
 
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> vec4f {
     let x: vec2f = floor(coord * 256.0) - 128.0;
     let texel: vec2f = floor(x * (1.0 / 256.0));
@@ -67,22 +67,22 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 fn umbrage_decode_vsm(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 fn umbrage_vsm(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, min_variance: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_vsm(vec2f(m.x, m.y), receiver, min_variance);
     return select(1.0, lit, compared);

@@ -13,19 +13,19 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_beyond_far: whether a receiver is behind the far plane
-fn umbrage_beyond_far(receiver: f32) -> bool {
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
-fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
-    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
-// umbrage_before_far: whether a receiver is a number, and not behind the far plane
-fn umbrage_before_far(receiver: f32) -> bool {
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+fn umbrage_within_far_plane(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
 
@@ -69,10 +69,10 @@ fn umbrage_lit_2x2(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f3
 }
 
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -96,10 +96,10 @@ fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -
 }
 
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
     let s: vec2f = x - texel;
@@ -120,6 +120,6 @@ fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
     n += w1.y * row;
     let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
-    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
+    let visibility: f32 = select(0.0, share, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }

@@ -74,7 +74,7 @@ std::vector<job> jobs(const std::string& folder) {
     const auto early = [&](const std::string& name, const snippet& of, const glsl::binding& map,
                            const std::string& numbers = "") {
         shader asking = row(name + ", early", of, map, numbers);
-        asking.result = "vec4(1.0); if (umbrage_is_compared_bound(x1.xy, x1.z)) result = " + asking.result;
+        asking.result = "vec4(1.0); if (umbrage_in_filter_domain_bound(x1.xy, x1.z)) result = " + asking.result;
         return asking;
     };
     // A peer's that has no such tests, with ours about it.
@@ -82,10 +82,10 @@ std::vector<job> jobs(const std::string& folder) {
         return shader{playcanvas,
                       name + ", with our tests",
                       functions,
-                      {glsl::is_compared, glsl::before_far},
+                      {glsl::in_filter_domain, glsl::within_far_plane},
                       "vec4(" + call +
-                          "); result = umbrage_before_far(x1.z) ? result : vec4(0.0); "
-                          "result = umbrage_is_compared(x1.xy, x1.z) ? result : vec4(1.0)"};
+                          "); result = umbrage_within_far_plane(x1.z) ? result : vec4(0.0); "
+                          "result = umbrage_in_filter_domain(x1.xy, x1.z) ? result : vec4(1.0)"};
     };
     const auto taps = [](const std::string& receiver) {
         return "vec4(umbrage_four_tap(map, map_size, x1.xy - 0.5, x1.xy + vec2(0.5, -0.5), "

@@ -18,7 +18,7 @@ namespace {
 constexpr glsl::snippet pcss_hardware{.name = "pcss_hardware", .role = glsl::hook::chosen, .source = R"GLSL(
 float umbrage_pcss_hardware(sampler2D depths, sampler2DShadow sun, vec2 size, vec2 coord, float receiver, vec3 soft,
                             vec2 turn) {
-    if (!umbrage_is_compared_sun(coord, receiver)) return 1.0;
+    if (!umbrage_in_filter_domain_sun(coord, receiver)) return 1.0;
     float search = umbrage_pcss_radius_sun(vec2(0.0, 0.0), receiver, soft);
     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, turn);
     if (found.x < 0.5) return 1.0;
@@ -31,9 +31,9 @@ std::vector<glsl::bound> pcss_hardware_items() {
     const glsl::binding depths{.texture = glsl::texture::depth, .gather = true}, sun{.texture = glsl::texture::shadow};
     return {bind(glsl::blockers_hardware<16>, "depths", depths),
             bind(glsl::disc_hardware<16>, "sun", sun),
-            bind(glsl::is_compared, "sun", sun),
+            bind(glsl::in_filter_domain, "sun", sun),
             bind(glsl::pcss_radius, "sun", sun),
-            glsl::disc_turn,
+            glsl::disc_rotation,
             pcss_hardware};
 }
 
@@ -62,25 +62,26 @@ std::vector<job> soft(const std::string& folder) {
         text("babylon_helpers") + text("babylon_shadow");
 
     const auto looked_up = [](const std::string& decoded, const std::string& cut) {
-        return "vec4(umbrage_is_compared(x0.xy, x0.z) ? umbrage_bleed_cut(" + decoded + ", " + cut + ") : 1.0)";
+        return "vec4(umbrage_in_filter_domain(x0.xy, x0.z) ? umbrage_reduce_light_bleeding(" + decoded + ", " + cut +
+               ") : 1.0)";
     };
     const std::string texel = "textureLod(map, x0.xy, 0.0)";
     const auto pcss = [](const std::string& map) {
         return "vec4(umbrage_pcss16" + map +
-               "(map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), umbrage_disc_turn(gl_FragCoord.xy)))";
+               "(map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), umbrage_disc_rotation(gl_FragCoord.xy)))";
     };
     return {
         {"VSM, one tap by the sampler",  // both hold mean and deviation
          {{us,
            "decode_vsm_hardware",
            "",
-           {glsl::is_compared, glsl::decode_vsm_hardware},
-           "vec4(umbrage_is_compared(x0.xy, x0.z) ? "
+           {glsl::in_filter_domain, glsl::decode_vsm_hardware},
+           "vec4(umbrage_in_filter_domain(x0.xy, x0.z) ? "
            "umbrage_decode_vsm_hardware(texture(map, x0.xy).xy, x0.z, 1e-7, 0.3) : 1.0)"},
           {us,
            "decode_vsm",
            "",
-           {glsl::is_compared, glsl::bleed_cut, glsl::decode_vsm},
+           {glsl::in_filter_domain, glsl::reduce_light_bleeding, glsl::decode_vsm},
            looked_up("umbrage_decode_vsm(texture(map, x0.xy).xy, x0.z, 1e-7)", "0.3")},
           {three,
            "getShadow, VSM",
@@ -96,8 +97,8 @@ std::vector<job> soft(const std::string& folder) {
           {us,
            "decode_evsm2",
            "",
-           {glsl::bleed_cut, glsl::decode_evsm2},
-           "vec4(umbrage_bleed_cut(umbrage_decode_evsm2(" + texel + ".xy, x0.z, 21.64, 0.003), 0.1))"},
+           {glsl::reduce_light_bleeding, glsl::decode_evsm2},
+           "vec4(umbrage_reduce_light_bleeding(umbrage_decode_evsm2(" + texel + ".xy, x0.z, 21.64, 0.003), 0.1))"},
           {playcanvas,
            "getShadowVSM32",
            playcanvas_evsm,
@@ -109,8 +110,8 @@ std::vector<job> soft(const std::string& folder) {
            "0.0)))"},
           {us, "pcss_hardware16, turned", "", pcss_hardware_items(),
            "vec4(umbrage_pcss_hardware(map, depth_map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), "
-           "umbrage_disc_turn(gl_FragCoord.xy)))"},
-          {us, "pcss16", "", {glsl::pcss<16>, glsl::disc_turn}, pcss("")},
+           "umbrage_disc_rotation(gl_FragCoord.xy)))"},
+          {us, "pcss16", "", {glsl::pcss<16>, glsl::disc_rotation}, pcss("")},
           {babylon,
            "computeShadowWithPCSS16",
            babylon_shadow,

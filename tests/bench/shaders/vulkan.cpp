@@ -109,16 +109,16 @@ public:
         for (int repeat = 0; repeat < 5; ++repeat) {
             submit([&] {
                 vkCmdResetQueryPool(commands_, queries_, 0, 2);
-                const VkRenderingAttachmentInfo colour{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                                       .imageView = target_,
-                                                       .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
-                                                       .loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-                                                       .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+                const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                                      .imageView = target_,
+                                                      .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                                      .loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+                                                      .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
                 const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                                                 .renderArea = {{0, 0}, {width, height}},
                                                 .layerCount = 1,
                                                 .colorAttachmentCount = 1,
-                                                .pColorAttachments = &colour};
+                                                .pColorAttachments = &color};
                 const VkViewport viewport{0, 0, float(width), float(height), 0, 1};
                 const float size[] = {map_size, map_size};
                 vkCmdWriteTimestamp(commands_, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, queries_, 0);
@@ -222,12 +222,12 @@ private:
         target_ = image(target_format, width, height, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false);
 
         set_ = descriptor_set(set_layout_, {{texture_type, binding_count - 1}, {uniforms_type, 1}});
-        const VkFormat colour = VK_FORMAT_R8G8B8A8_UNORM;
+        const VkFormat color = VK_FORMAT_R8G8B8A8_UNORM;
         const VkImageView views[] = {
-            image(colour, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
-            image(colour, map_size, 32, VK_IMAGE_USAGE_SAMPLED_BIT, true),
+            image(color, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
+            image(color, map_size, 32, VK_IMAGE_USAGE_SAMPLED_BIT, true),
             image(VK_FORMAT_D32_SFLOAT, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
-            image(colour, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true, VK_IMAGE_VIEW_TYPE_2D_ARRAY)};
+            image(color, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true, VK_IMAGE_VIEW_TYPE_2D_ARRAY)};
         for (std::uint32_t i = 0; i < 4; ++i) {
             const VkDescriptorImageInfo texture{sampler(i == 2), views[i], VK_IMAGE_LAYOUT_GENERAL};
             const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,

@@ -21,7 +21,7 @@ struct rules {
 
     bool fuses = false;            ///< a * b + c is rounded once
     bool reorders = false;         ///< sums and products are regrouped, common factors taken out or multiplied out
-    roundings rounding = nearest;  ///< of + - *; `either`: one of the two neighbours
+    roundings rounding = nearest;  ///< of + - *; `either`: one of the two neighbors
     bool flushes_inputs = false;   ///< denormal operands act as zeros of their sign
     bool flushes_results = false;
     bool assumes_finite = false;  ///< no NaN, no infinity: comparisons with a NaN give anything, x - x is 0

@@ -60,7 +60,7 @@ private:
 };
 
 /// What a filter of a reach is to allow for in the proof: rounded coordinates, vertices moved by a rasterizer.
-[[nodiscard]] constexpr float allowed_reach(float reach) { return reach + umbrage::snapping_reach<float> + 0x1p-10f; }
+[[nodiscard]] constexpr float allowed_reach(float reach) { return reach + umbrage::rasterizer_snap<float> + 0x1p-10f; }
 
 /// The first `count` lights of a kind that have receivers.
 [[nodiscard]] std::vector<ray_light> ray_lights(ray_kind kind, std::size_t count);

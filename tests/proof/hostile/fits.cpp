@@ -49,7 +49,7 @@ struct scene {
     [[nodiscard]] hull receivers() const { return intersection(camera, box); }
 };
 
-/// Of points in a map, in normalised device coordinates from -1 to 1, depth too.
+/// Of points in a map, in normalized device coordinates from -1 to 1, depth too.
 struct bounds {
     double low[3]{9, 9, 9}, high[3]{-9, -9, -9};
     bool in_front = true;

@@ -77,7 +77,7 @@ row measure(int m, bool rounds) {
             }
         ++seen[std::size_t(v)];
         latest = std::max(latest, v);
-        // a receiver of its own in the middle of code x: lit against x + 1, dark against x - 1; quantised to 2^-12
+        // a receiver of its own in the middle of code x: lit against x + 1, dark against x - 1; quantized to 2^-12
         const int receiver = int((x + 0.5) * step + 0.5);
         if (x + 1 < codes) r.wrong_receivers += !(receiver <= u[std::size_t(x + 1)]);
         if (x > 0) r.wrong_receivers += receiver <= u[std::size_t(x - 1)];

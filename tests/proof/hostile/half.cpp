@@ -19,7 +19,7 @@ struct path {
     mediump::vec2 (*encode)(half);
     half (*decode)(mediump::vec2, half);
     glm::u8vec2 (*exact)(float);
-    // codes that come back wrong at the lower edge, centre, upper edge, the channels written, stored and sampled in
+    // codes that come back wrong at the lower edge, center, upper edge, the channels written, stored and sampled in
     // half
     std::array<int, 3> wrong_codes;
     int wrong_depths;  // of the half values in [0, 1]: channels unlike those of exact arithmetic
@@ -59,9 +59,9 @@ TEST_CASE("to_unorm, from_unorm: every byte survives mediump, whether the store 
         }
 }
 
-TEST_CASE("encode_rg, decode_rg: in mediump 11 bits hold at both edges, the centre needs a twelfth bit") {
+TEST_CASE("encode_rg, decode_rg: in mediump 11 bits hold at both edges, the center needs a twelfth bit") {
     std::printf("in mediump (binary16)    codes decoded wrong at                     half depths\n");
-    std::printf("bits    codes   lower edge     centre  upper edge  first at the centre   encoded wrong\n");
+    std::printf("bits    codes   lower edge     center  upper edge  first at the center   encoded wrong\n");
     for (const path& p : paths) {
         const int codes = 1 << p.bits;
         std::array<int, 3> wrong{};

@@ -34,7 +34,7 @@ void each_of_light(const Run& run, const Fetch& fetch) {
         const int u = int(s.below(std::uint32_t(size) + 2)) - 1, v = int(s.below(std::uint32_t(size) + 2)) - 1;
         return glm::vec4(float(u), float(v), float(s.below(6)), float(size));
     };
-    run("cube_neighbour", 1, cube_texel, [](glm::vec4 v) { return cube_neighbour(glm::vec3(v), v.w); });
+    run("cube_neighbor", 1, cube_texel, [](glm::vec4 v) { return cube_neighbor(glm::vec3(v), v.w); });
     run("cube_atlas_texel", 1, cube_texel, [](glm::vec4 v) { return cube_atlas_texel(glm::vec2(v) + 1.0f, v.w); });
     run("cube_atlas_direction", 1, cube_texel,  // of even sizes: no middle column, of which zeros keep no sign
         [](glm::vec4 v) { return cube_atlas_direction(glm::vec2(v) + 1.0f, v.w * 2.0f); });

@@ -42,14 +42,14 @@ void each_with_points(const Run& run, const Fetch& fetch) {
         return std::array{glm::vec3(coord, s.level()), glm::vec3(x, y, 0.0f)};
     };
     run(("blockers" + n).c_str(), 16, draw, [&](const auto& in) {
-        const glm::vec2 coord(in[0]), turn = disc_turn(glm::vec2(in[1]));
+        const glm::vec2 coord(in[0]), turn = disc_rotation(glm::vec2(in[1]));
         const glm::vec2 at = inside_texel_space(coord) ? glm::floor(coord * 256.0f) : glm::vec2(0.0f);
         return glm::vec4(blockers<Points>(fetch, at, in[0].z, 77.0f, turn),
                          blockers<Points>(fetch, at, in[0].z, 9.0f, turn, greater_equal{}));
     });
     const auto both = [&](const std::string& name, auto use) {
         run((name + n).c_str(), 16, draw, [&](const auto& in) {
-            const glm::vec2 coord(in[0]), turn = disc_turn(glm::vec2(in[1]));
+            const glm::vec2 coord(in[0]), turn = disc_rotation(glm::vec2(in[1]));
             return glm::vec2(use(coord, in[0].z, turn, less_equal{}), use(coord, in[0].z, turn, greater_equal{}));
         });
     };
@@ -60,12 +60,12 @@ void each_with_points(const Run& run, const Fetch& fetch) {
     both("dpcf", [&](glm::vec2 coord, float receiver, glm::vec2 turn, auto is_lit) {
         return dpcf<Points>(fetch, coord, receiver, soft, turn, is_lit);
     });
-    run(("hardened" + n).c_str(), 1,
+    run(("hardened_kernel" + n).c_str(), 1,
         [](source& s) {
             const float blocked = float(s.below(Points + 1));
             return glm::vec2(blocked, float(s.below(257)));
         },
-        [](glm::vec2 v) { return hardened<Points>(v.x, v.y); });
+        [](glm::vec2 v) { return hardened_kernel<Points>(v.x, v.y); });
 }
 
 /// Calls run(name, one input of so many, draw, op).
@@ -77,9 +77,9 @@ void each_soft_shadow(const Run& run, const Fetch& fetch) {
         return glm::vec2(float(s.one_in(2) ? a : a / b * b), float(b));
     };
     run("floor_divide", 1, fraction, [](glm::vec2 v) { return floor_divide(v.x, v.y); });
-    run("mend_quotient", 1, fraction, [](glm::vec2 v) {
+    run("correct_quotient", 1, fraction, [](glm::vec2 v) {
         const auto a = std::uint32_t(v.x), b = std::uint32_t(v.y);
-        return mend_quotient(float(a / b) + float(a % 3) - 1.0f, v.x, v.y);
+        return correct_quotient(float(a / b) + float(a % 3) - 1.0f, v.x, v.y);
     });
     run(
         "distance_code", 1, [](source& s) { return s.depth(); },

@@ -142,11 +142,11 @@ void suite::all() const {
     run("lit", inputs, compared_texel, [&](const auto& in) { return lit(fetch, in.first, in.second); });
     run("lit_2x2", inputs, compared_texel, [&](const auto& in) { return lit_2x2(fetch, in.first, in.second); });
     run(
-        "beyond_far", inputs, [](source& s) { return s.level(); },
-        [](float v) { return glm::vec2(beyond_far(v), beyond_far(v, greater_equal{})); });
+        "beyond_far_plane", inputs, [](source& s) { return s.level(); },
+        [](float v) { return glm::vec2(beyond_far_plane(v), beyond_far_plane(v, greater_equal{})); });
     run(
-        "before_far", inputs, [](source& s) { return s.level(); },
-        [](float v) { return glm::vec2(before_far(v), before_far(v, greater_equal{})); });
+        "within_far_plane", inputs, [](source& s) { return s.level(); },
+        [](float v) { return glm::vec2(within_far_plane(v), within_far_plane(v, greater_equal{})); });
     run(
         "cleared_depth", inputs, [](source& s) { return s.one_in(2); },
         [](bool back) { return cleared_depth(back ? depth_direction::reversed : depth_direction::forward); });
@@ -166,7 +166,7 @@ void suite::all() const {
         l.radius = int(s.below(11)) - 1;
         return l;
     };
-    run("is_compared", inputs, draw, [](const look_up& l) { return is_compared(l.a, l.receiver); });
+    run("in_filter_domain", inputs, draw, [](const look_up& l) { return in_filter_domain(l.a, l.receiver); });
     for_each_filter([&](auto filter) {
         if constexpr (requires { filter.is_lit.direction; }) {
             if (filter.snippet->exactness != glsl::tier::a) return;
@@ -191,14 +191,14 @@ void suite::all() const {
         return bounds_lit(bounds, l.a, l.receiver, glm::vec2(639.0f, 1.0f / 512.0f));
     });
     run(  // whole numbers: a zero may have either sign
-        "disc_turn", inputs, [](source& s) { return s.coords(); },
-        [](glm::vec2 pixel) { return glm::uvec2(glm::ivec2(disc_turn(pixel))); });
+        "disc_rotation", inputs, [](source& s) { return s.coords(); },
+        [](glm::vec2 pixel) { return glm::uvec2(glm::ivec2(disc_rotation(pixel))); });
     run(
         "disc_tap", inputs,
         [](source& s) {
             const int x = int(s.below(1 << 24)) - (1 << 23), y = int(s.below(1 << 24)) - (1 << 23);
             const float radius = float(s.below(4096));
-            const glm::vec2 turn = disc_turn(glm::vec2(float(s.below(16)), 0.0f));
+            const glm::vec2 turn = disc_rotation(glm::vec2(float(s.below(16)), 0.0f));
             return std::array{glm::vec2(x, y), glm::vec2(glm::ivec2(disc_points<32>[s.below(32)])), turn,
                               glm::vec2(radius)};
         },

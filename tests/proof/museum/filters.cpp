@@ -26,7 +26,7 @@ float stored_depth(ivec2 t) {
 }
 double lit(double x, double y) { return compare(receiver, stored_depth({int(x), int(y)})); }
 
-// Four values around a point between texel centres, mixed: the same formula for depths and for tests of them.
+// Four values around a point between texel centers, mixed: the same formula for depths and for tests of them.
 template <class T, class Value>
 T bilinear(T x, T y, T fx, T fy, Value value) {
     return (value(x, y) * (T(1) - fx) + value(x + T(1), y) * fx) * (T(1) - fy) +
@@ -61,16 +61,16 @@ float without_half_texel(vec2 coord) {
 }
 float ours(vec2 coord) { return pcf_2x2(stored_depth, coord, receiver); }
 
-// Every texel centre of maps of 1 to 512 texels: does an ulp less fetch another texel?
+// Every texel center of maps of 1 to 512 texels: does an ulp less fetch another texel?
 template <class Coordinate>
-score an_ulp_less(Coordinate coordinate, bool normalised) {
+score an_ulp_less(Coordinate coordinate, bool normalized) {
     score s;
     for (int size = 1; size <= 512; ++size)
         for (int i = 0; i < size; ++i) {
             const float at = coordinate((float(i) + 0.5f) / float(size), float(size));
             const auto texel = [&](float c) {
                 float taken = 0.0f;
-                (void)hard([&](ivec2 t) { return taken = float(t.x); }, vec2(normalised ? c * float(size) : c, 0.5f),
+                (void)hard([&](ivec2 t) { return taken = float(t.x); }, vec2(normalized ? c * float(size) : c, 0.5f),
                            receiver);
                 return taken;
             };
@@ -79,9 +79,9 @@ score an_ulp_less(Coordinate coordinate, bool normalised) {
     return s;
 }
 
-// One row of a map of `size` texels, coordinates in [0, 1] within 8 ulp of every texel centre.
+// One row of a map of `size` texels, coordinates in [0, 1] within 8 ulp of every texel center.
 template <class Filter>
-score beside_centres(Filter filter) {
+score beside_centers(Filter filter) {
     score s;
     for (const int size : {640, 1000, 1023, 2047})
         for (int i = 1; i < size - 1; ++i)
@@ -122,15 +122,15 @@ const exhibit all[] = {
      "receiver <= bilinear(depths)", "2^18 receivers, visibility more than 1/256 off", "visibility",
      "`pcf_2x2` compares four depths and mixes the answers", [] { return visibilities(compare_filtered_depth); },
      [] { return visibilities(ours); }},
-    {"The missing half texel", "ports of Direct3D 9 filters, whose pixel centres were whole numbers",
+    {"The missing half texel", "ports of Direct3D 9 filters, whose pixel centers were whole numbers",
      "Weights and taps of the next texel up and right: the shadow moves by half a texel.",
      "i = floor(uv N), f = fract(uv N)", "2^18 receivers, visibility more than 1/256 off", "visibility",
-     "`pcf_2x2` takes the half texel off; coordinates are stated: first centre at (0.5, 0.5)",
+     "`pcf_2x2` takes the half texel off; coordinates are stated: first center at (0.5, 0.5)",
      [] { return visibilities(without_half_texel); }, [] { return visibilities(ours); }},
     {"Sampling at texel corners", "lygia's bilinear shadow filter",
      "floor(uv N + 1/2) / N is a corner between texels: the last bit decides which one a nearest filter takes.",
      "texture2D(map, floor(uv * N + 0.5) / N)",
-     "texel centres of maps of 1 to 512 texels, an ulp less fetches another texel", "texels",
+     "texel centers of maps of 1 to 512 texels, an ulp less fetches another texel", "texels",
      "coordinates in texels, one `floor`, whole texel numbers",
      [] { return an_ulp_less([](float uv, float size) { return std::floor(uv * size + 0.5f) / size; }, true); },
      [] { return an_ulp_less([](float uv, float size) { return uv * size; }, false); }},
@@ -138,19 +138,19 @@ const exhibit all[] = {
      "manual 2x2 filters that sample at uv and weigh by fract(uv N - 1/2); mrdoob/three.js#33534",
      "The sampler has stepped to the next texel and the weight has not: a whole texel flips.",
      "taps at floor((uv - .5/N) N), weights fract(uv N - .5)",
-     "coordinates within 8 ulp of texel centres, visibility more than 1/16 off", "visibility",
+     "coordinates within 8 ulp of texel centers, visibility more than 1/16 off", "visibility",
      "`pcf_2x2` takes texel and weight from the same integer",
      [] {
-         return beside_centres([](float uv, float size) {
+         return beside_centers([](float uv, float size) {
              const float i = std::floor((uv - 0.5f / size) * size), x = uv * size - 0.5f, f = x - std::floor(x);
              return bilinear(i, 0.0f, f, 0.0f, [](float u, float v) { return float(lit(u, v)); });
          });
      },
-     [] { return beside_centres([](float uv, float size) { return ours(vec2(uv * size, 0.5f)); }); }},
+     [] { return beside_centers([](float uv, float size) { return ours(vec2(uv * size, 0.5f)); }); }},
     {"Reversed Z, comparison kept", "mrdoob/three.js#29770 and seven threads after it, Babylon.js#17315",
      "Near is 1 now: what was behind the occluder is lit and what was in front is not.", "receiver <= stored",
      "2^18 pairs of reversed depths, the wrong answer", "visibility",
-     "`greater_equal` is an argument of every filter, `UMBRAGE_LIT` of every snippet",
+     "`greater_equal` is an argument of every filter, `UMBRAGE_COMPARE` of every snippet",
      [] { return reversed_pairs([](float d, float s) { return compare(d, s); }); },
      [] { return reversed_pairs([](float d, float s) { return compare(d, s, greater_equal{}); }); }},
     {"Reversed Z, bias kept", "the same threads",

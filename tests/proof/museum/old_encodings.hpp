@@ -52,7 +52,7 @@ score errors(RoundTrip f, double allowed) {
     }
     return s;
 }
-// Neighbours k / 2^24 that come back in the wrong order.
+// Neighbors k / 2^24 that come back in the wrong order.
 template <class RoundTrip>
 score inversions(RoundTrip f) {
     score s;
@@ -133,7 +133,7 @@ score through_table(Fetch fetch) {
     score s;
     for (long k = 0; k < depths; k += 64) {
         const float d = float(k) / float(depths);
-        s.add((double(decode_rg<11>(stored(fetch(d)), centre<float>)) - double(d)) * 2048.0, 1.0);
+        s.add((double(decode_rg<11>(stored(fetch(d)), center<float>)) - double(d)) * 2048.0, 1.0);
     }
     return s;
 }

@@ -16,9 +16,9 @@
 
 using namespace umbrage;
 
-TEST_CASE("snapping_reach: four times the greatest move of a vertex") {
-    CHECK(snapping_reach<float> == 4.0f / 512.0f);
-    CHECK(snapping_reach<double, 4> == 4.0 / 32.0);
+TEST_CASE("rasterizer_snap: four times the greatest move of a vertex") {
+    CHECK(rasterizer_snap<float> == 4.0f / 512.0f);
+    CHECK(rasterizer_snap<double, 4> == 4.0 / 32.0);
 }
 
 TEST_CASE_TEMPLATE("acne_free_bias: by hand", T, float, double) {
@@ -32,8 +32,8 @@ TEST_CASE_TEMPLATE("acne_free_bias: by hand", T, float, double) {
     // 3-4-5: a disc of 2 texels reaches 2 * 0.05 before the plane, and its points' texels 65/128 * 0.07 farther
     CHECK(acne_free_disc_bias(vec(T(0.03), T(-0.04)), T(2), T(0)) == doctest::Approx(0.1 + 0.07 * 65 / 128));
     CHECK(acne_free_disc_bias(vec(0), T(8), T(0.25)) == T(0.25) + rounding);
-    CHECK(detachment(T(0.25), vec(0), T(2)) == T(0.25) + rounding);  // a caster that faces the light
-    CHECK(detachment(T(0.25), vec(T(0.0625), T(-0.125)), T(2)) == T(0.625) + rounding);
+    CHECK(peter_panning_distance(T(0.25), vec(0), T(2)) == T(0.25) + rounding);  // a caster that faces the light
+    CHECK(peter_panning_distance(T(0.25), vec(T(0.0625), T(-0.125)), T(2)) == T(0.625) + rounding);
 }
 
 TEST_CASE("acne_free_bias: of filters and encodings, each with the error that counts in its direction") {
@@ -56,7 +56,7 @@ TEST_CASE_TEMPLATE("acne_free_bias, acne_free_disc_bias: infinite, NaN, zero tex
         for (vec slope : {vec(bad, 0), vec(0, bad), vec(bad)}) {
             CHECK(acne_free_bias(slope, T(1), T(0)) == 1);
             CHECK(acne_free_disc_bias(slope, T(1), T(0)) == 1);
-            CHECK(detachment(T(0), slope, T(1)) == 1);
+            CHECK(peter_panning_distance(T(0), slope, T(1)) == 1);
         }
         CHECK(acne_free_bias(vec(T(0.1)), T(1), std::abs(bad)) == 1);
         CHECK(acne_free_bias(vec(T(0.1)), std::abs(bad), T(0)) == 1);
@@ -65,7 +65,8 @@ TEST_CASE_TEMPLATE("acne_free_bias, acne_free_disc_bias: infinite, NaN, zero tex
     CHECK(acne_free_bias(vec(T(0.1)), T(0), T(0)) == T(0x1p-23));
 }
 
-TEST_CASE("detachment: a caster before it shadows a biased receiver as an unbiased one, one within it may not") {
+TEST_CASE(
+    "peter_panning_distance: a caster before it shadows a biased receiver as an unbiased one, one within it may not") {
     std::mt19937 random(2);
     std::uniform_real_distribution<float> steep(-0x1p-7f, 0x1p-7f), share(0.0f, 1.0f), fraction(0.0f, 1.0f);
     for (const float reach : {0.5f, 1.5f, 2.5f}) {
@@ -73,7 +74,8 @@ TEST_CASE("detachment: a caster before it shadows a biased receiver as an unbias
         int lit = 0;
         for (int i = 0; i < 2000; ++i) {
             const glm::vec2 slope(steep(random), steep(random)), caster(steep(random), steep(random));
-            const float bias = acne_free_bias(slope, filter, depth32f{}), gap = detachment(bias, caster, reach);
+            const float bias = acne_free_bias(slope, filter, depth32f{}),
+                        gap = peter_panning_distance(bias, caster, reach);
             const glm::vec2 coord(20.0f + fraction(random), 20.0f + fraction(random));
             const auto shadowed = [&](float before) {
                 const auto fetch = [&](glm::ivec2 texel) {

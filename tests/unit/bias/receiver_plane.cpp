@@ -13,39 +13,39 @@
 
 using namespace umbrage;
 
-TEST_CASE_TEMPLATE("receiver_plane: by hand", T, float, double) {
+TEST_CASE_TEMPLATE("receiver_plane_slope: by hand", T, float, double) {
     using vec = glm::vec<3, T>;
     // depth 0.25 x - 0.125 y, two texels a pixel along x and four along y, then turned
-    const vec straight = receiver_plane(vec(2, 0, T(0.5)), vec(0, 4, T(-0.5)));
+    const vec straight = receiver_plane_slope(vec(2, 0, T(0.5)), vec(0, 4, T(-0.5)));
     CHECK(straight.x == T(0.25));
     CHECK(straight.y == T(-0.125));
     CHECK(straight.z == doctest::Approx(3.3 * (0x1p-25 + 0.375 * 0x1p-13) * 6 / 8));
-    const vec turned = receiver_plane(vec(1, 2, 0), vec(-2, 1, T(-0.625)));
+    const vec turned = receiver_plane_slope(vec(1, 2, 0), vec(-2, 1, T(-0.625)));
     CHECK(turned.x == T(0.25));
     CHECK(turned.y == T(-0.125));
-    CHECK(receiver_plane(vec(1, 0, 5), vec(0, 1, -9)).x == 2);
-    CHECK(receiver_plane(vec(1, 0, 5), vec(0, 1, -9)).y == -2);
+    CHECK(receiver_plane_slope(vec(1, 0, 5), vec(0, 1, -9)).x == 2);
+    CHECK(receiver_plane_slope(vec(1, 0, 5), vec(0, 1, -9)).y == -2);
 }
 
-TEST_CASE_TEMPLATE("receiver_plane: nothing is known of a plane seen edge-on, magnified too much, of NaN", T, float,
-                   double) {
+TEST_CASE_TEMPLATE("receiver_plane_slope: nothing is known of a plane seen edge-on, magnified too much, of NaN", T,
+                   float, double) {
     using vec = glm::vec<3, T>;
     const T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
-    CHECK(receiver_plane(vec(0), vec(0)) == vec(0));
-    CHECK(receiver_plane(vec(1, 2, 1), vec(2, 4, 3)) == vec(0));
-    CHECK(receiver_plane(vec(T(0x1p-11), 0, 1), vec(0, T(0x1p-11), 1)) == vec(0));
-    CHECK(receiver_plane(vec(T(0x1p70), 0, 1), vec(0, T(0x1p70), 1)) == vec(0));
+    CHECK(receiver_plane_slope(vec(0), vec(0)) == vec(0));
+    CHECK(receiver_plane_slope(vec(1, 2, 1), vec(2, 4, 3)) == vec(0));
+    CHECK(receiver_plane_slope(vec(T(0x1p-11), 0, 1), vec(0, T(0x1p-11), 1)) == vec(0));
+    CHECK(receiver_plane_slope(vec(T(0x1p70), 0, 1), vec(0, T(0x1p70), 1)) == vec(0));
     for (T bad : {inf, -inf, nan, -nan})
         for (int i = 0; i < 6; ++i) {
             vec d[2]{vec(1, 0, T(0.1)), vec(0, 1, T(0.1))};
             d[i / 3][i % 3] = bad;
-            const vec plane = receiver_plane(d[0], d[1]);
+            const vec plane = receiver_plane_slope(d[0], d[1]);
             for (int k = 0; k < 3; ++k) CHECK((plane[k] >= -2 && plane[k] <= 2));
             if (i % 3 < 2) CHECK(plane == vec(0));
         }
 }
 
-TEST_CASE("receiver_plane: the slope of coordinates rounded to float is off by no more than it says") {
+TEST_CASE("receiver_plane_slope: the slope of coordinates rounded to float is off by no more than it says") {
     std::mt19937 random(6);
     std::uniform_real_distribution<double> tilt(-8, 0), place(100, 3900), turn(0, 6.3), squeeze(0.02, 1);
     double worst = 0;
@@ -61,7 +61,7 @@ TEST_CASE("receiver_plane: the slope of coordinates rounded to float is off by n
             return glm::vec3(p, 0.5 + slope.x * (p.x - here.x) + slope.y * (p.y - here.y));
         };
         const glm::vec3 at = seen(here);
-        const glm::vec3 plane = receiver_plane(seen(here + across) - at, seen(here + up) - at);
+        const glm::vec3 plane = receiver_plane_slope(seen(here + across) - at, seen(here + up) - at);
         if (plane == glm::vec3(0)) continue;
         ++known;
         const double off = std::abs(double(plane.x) - slope.x) + std::abs(double(plane.y) - slope.y);
@@ -72,18 +72,18 @@ TEST_CASE("receiver_plane: the slope of coordinates rounded to float is off by n
     CHECK(worst > 0.2);
 }
 
-TEST_CASE_TEMPLATE("on_receiver_plane: by hand, to the texel's centre", T, float, double) {
+TEST_CASE_TEMPLATE("apply_receiver_plane: by hand, to the texel's center", T, float, double) {
     using vec = glm::vec<2, T>;
     const vec slope(T(0.25), T(-0.125)), coord(T(3.25), T(7.5));
-    CHECK(on_receiver_plane(T(0.5), slope, coord, vec(3, 7)) == T(0.4375));  // a quarter of a texel to its right
-    CHECK(on_receiver_plane(T(0.5), slope, coord, vec(2, 9)) == T(0.9375));
-    CHECK(on_receiver_plane(T(1), slope, coord, vec(2, 9)) == 1);  // cleared
-    CHECK(on_receiver_plane(T(0), slope, coord, vec(2, 9), T(0)) == 0);
-    CHECK(on_receiver_plane(T(1), slope, coord, vec(2, 9), T(0)) == T(1.4375));
-    CHECK(is_nan(on_receiver_plane(std::numeric_limits<T>::quiet_NaN(), slope, coord, vec(3, 7))));
+    CHECK(apply_receiver_plane(T(0.5), slope, coord, vec(3, 7)) == T(0.4375));  // a quarter of a texel to its right
+    CHECK(apply_receiver_plane(T(0.5), slope, coord, vec(2, 9)) == T(0.9375));
+    CHECK(apply_receiver_plane(T(1), slope, coord, vec(2, 9)) == 1);  // cleared
+    CHECK(apply_receiver_plane(T(0), slope, coord, vec(2, 9), T(0)) == 0);
+    CHECK(apply_receiver_plane(T(1), slope, coord, vec(2, 9), T(0)) == T(1.4375));
+    CHECK(is_nan(apply_receiver_plane(std::numeric_limits<T>::quiet_NaN(), slope, coord, vec(3, 7))));
 }
 
-TEST_CASE("on_receiver_plane: no filter darkens a plane, without any bias by its reach") {
+TEST_CASE("apply_receiver_plane: no filter darkens a plane, without any bias by its reach") {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> steep(-0x1p-6f, 0x1p-6f), place(10, 22);
     for_each_filter([&](auto filter) {
@@ -104,7 +104,7 @@ TEST_CASE("on_receiver_plane: no filter darkens a plane, without any bias by its
                     const glm::vec2 coord(place(random), place(random));
                     const float receiver = biased(depth(coord), 0x1p-22f, filter.is_lit);
                     dark_without += filter(clamped(map), coord, receiver) < 1.0f;
-                    dark += filter(on_receiver_plane(clamped(map), slope, coord, direction), coord, receiver) < 1.0f;
+                    dark += filter(apply_receiver_plane(clamped(map), slope, coord, direction), coord, receiver) < 1.0f;
                 }
             }
             CHECK(dark == 0);

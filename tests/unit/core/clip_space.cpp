@@ -74,7 +74,7 @@ TEST_CASE("set-ups: a clip space that nobody gave is refused, and so are scene a
     refused("fit_light_space_perspective", [&] { (void)fit_light_space_perspective(warp); });
     refused("fit_trapezoidal", [&] { (void)fit_trapezoidal(warp, 1.0f); });
     refused("fit_perspective", [&] { (void)fit_perspective(warp); });
-    refused("fit_perspective", [&] { (void)fit_perspective(warp, lamp<float>{}); });
+    refused("fit_perspective", [&] { (void)fit_perspective(warp, light_position<float>{}); });
     refused("fit_plane_optimal", [&] { (void)fit_plane_optimal(warp, {0, 1, 0, 0}); });
     refused("perspective", [] { (void)perspective(1.0f, 1.0f, 1.0f, 2.0f, {}); });
     refused("orthographic", [] { (void)orthographic(glm::vec2(0), glm::vec2(1), 1.0f, 2.0f, {}); });
@@ -98,7 +98,7 @@ TEST_CASE("set-ups: a clip space that nobody gave is refused, and so are scene a
     CHECK(none([&] { (void)fit_directional_light<float>({.clip = clip}); }));
     CHECK(none([&] { (void)fit_spot_light<float>({.clip = clip}); }));
     CHECK(none([&] { (void)fit_light_space_perspective(warp_fit<float>{.clip = clip}); }));
-    CHECK(none([&] { (void)fit_perspective(warp_fit<float>{.clip = clip}, lamp<float>{}); }));
+    CHECK(none([&] { (void)fit_perspective(warp_fit<float>{.clip = clip}, light_position<float>{}); }));
 }
 
 TEST_CASE("cleared_depth: of the far plane") {

@@ -59,14 +59,14 @@ TEST_CASE_TEMPLATE("compare: every pair of special values, ties lit, NaN in shad
     static_assert(compare(T(0.5), T(0.5)) == 1 && compare(T(0.75), T(0.5)) == 0);
 }
 
-TEST_CASE_TEMPLATE("beyond_far, before_far: one of them of every number, none of NaN", T, float, double) {
+TEST_CASE_TEMPLATE("beyond_far_plane, within_far_plane: one of them of every number, none of NaN", T, float, double) {
     for (T receiver : values<T>()) {
         CAPTURE(receiver);
         const bool number = !std::isnan(receiver);
-        CHECK(beyond_far(receiver) == (number && std::isgreater(receiver, T(1))));
-        CHECK(before_far(receiver) == (number && std::islessequal(receiver, T(1))));
-        CHECK(before_far(receiver, greater_equal{}) == (number && std::isgreaterequal(receiver, T(0))));
-        CHECK(before_far(receiver, less_equal_scaled{}) == number);
+        CHECK(beyond_far_plane(receiver) == (number && std::isgreater(receiver, T(1))));
+        CHECK(within_far_plane(receiver) == (number && std::islessequal(receiver, T(1))));
+        CHECK(within_far_plane(receiver, greater_equal{}) == (number && std::isgreaterequal(receiver, T(0))));
+        CHECK(within_far_plane(receiver, less_equal_scaled{}) == number);
     }
 }
 

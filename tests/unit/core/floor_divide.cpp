@@ -53,7 +53,8 @@ TEST_CASE("floor_divide: integer division, in every rounding mode, in float and 
     }
 }
 
-TEST_CASE("mend_quotient: quotients up to 8 ulp off, of which bare floors are wrong, and every one that is one off") {
+TEST_CASE(
+    "correct_quotient: quotients up to 8 ulp off, of which bare floors are wrong, and every one that is one off") {
     std::mt19937 random(2);
     int wrong = 0, bare = 0;
     for (int i = 0; i < 400000; ++i) {
@@ -61,8 +62,8 @@ TEST_CASE("mend_quotient: quotients up to 8 ulp off, of which bare floors are wr
         const float x = static_cast<float>(a), y = static_cast<float>(b), wanted = static_cast<float>(a / b);
         const float guess = std::floor(moved_by_ulp(x / y, static_cast<int>(random() % 17) - 8));
         bare += guess != wanted;
-        wrong += mend_quotient(guess, x, y) != wanted;
-        for (const float off : {-1.0f, 0.0f, 1.0f}) wrong += mend_quotient(wanted + off, x, y) != wanted;
+        wrong += correct_quotient(guess, x, y) != wanted;
+        for (const float off : {-1.0f, 0.0f, 1.0f}) wrong += correct_quotient(wanted + off, x, y) != wanted;
     }
     CHECK(wrong == 0);
     CHECK(bare > 10000);
@@ -77,5 +78,5 @@ TEST_CASE("floor_divide: the ends of its range") {
     CHECK(floor_divide(top - 1, 64.0f) == 262143.0f);
     CHECK(floor_divide(262144.0f, 1.0f) == 262144.0f);
     CHECK(floor_divide(256.0f * 65535.0f, 256.0f) == 65535.0f);
-    static_assert(mend_quotient(3.0, 16777215.0, 5592405.0) == 3.0);
+    static_assert(correct_quotient(3.0, 16777215.0, 5592405.0) == 3.0);
 }

@@ -109,7 +109,7 @@ TEST_CASE("decoded: with the upper edge no surface shadows itself, with the lowe
         if (encoding.error().below == 0.0) CHECK(fractions(encoding, 251) == 0);
     });
     CHECK(fractions(rg<11>{.edge = lower_edge<float>}, 251) > 60000);
-    CHECK(fractions(rg<11>{.edge = centre<float>}, 251) > 30000);
+    CHECK(fractions(rg<11>{.edge = center<float>}, 251) > 30000);
 }
 
 TEST_CASE("decoded: reversed, it is the lower edge that keeps a surface from shadowing itself") {

@@ -19,7 +19,7 @@ static_assert(to_code<11>(0.5f) == 1024 && to_code<11>(1.0f) == 2047 && to_code<
 static_assert(from_code<11>(1024.0f, upper_edge<float>) == 1025.0f / 2048.0f);
 static_assert(from_code<11>(2047.0f, upper_edge<float>) == 1.0f);
 static_assert(from_code<11>(0.0f, lower_edge<float>) == 0.0f);
-static_assert(from_code<11>(3.0f, centre<float>) == 3.5f / 2048.0f);
+static_assert(from_code<11>(3.0f, center<float>) == 3.5f / 2048.0f);
 static_assert(from_code<24>(16777214.0f, upper_edge<float>) == below_one);
 
 template <int Bits>
@@ -64,12 +64,12 @@ TEST_CASE("to_code: out of range, infinities, NaN, denormals") {
 
 TEST_CASE("from_code: the three places in an interval, float and double alike") {
     for (int x : {0, 1, 1024, 2046, 2047})
-        for (float edge : {lower_edge<float>, centre<float>, upper_edge<float>}) {
+        for (float edge : {lower_edge<float>, center<float>, upper_edge<float>}) {
             CHECK(from_code<11>(float(x), edge) == (float(x) + edge) / 2048.0f);
             CHECK(double(from_code<11>(float(x), edge)) == from_code<11>(double(x), double(edge)));
         }
-    // the centre of 24 bits: representable below 2^23, to the nearest even from there on, exact in double
-    CHECK(from_code<24>(8388607.0f, centre<float>) == 8388607.5f / 16777216.0f);
-    CHECK(from_code<24>(8388609.0f, centre<float>) == 8388610.0f / 16777216.0f);
-    CHECK(from_code<24>(8388609.0, centre<double>) == 8388609.5 / 16777216.0);
+    // the center of 24 bits: representable below 2^23, to the nearest even from there on, exact in double
+    CHECK(from_code<24>(8388607.0f, center<float>) == 8388607.5f / 16777216.0f);
+    CHECK(from_code<24>(8388609.0f, center<float>) == 8388610.0f / 16777216.0f);
+    CHECK(from_code<24>(8388609.0, center<double>) == 8388609.5 / 16777216.0);
 }

@@ -96,7 +96,7 @@ TEST_CASE("encodings: decoded depths lie within the stated error on either side,
         holds(e);
         if constexpr (has_edge<Encoding>) {
             holds(Encoding{.edge = lower_edge<float>});
-            if (Encoding::bits < 24) holds(Encoding{.edge = centre<float>});
+            if (Encoding::bits < 24) holds(Encoding{.edge = center<float>});
         }
     });
 }

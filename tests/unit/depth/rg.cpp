@@ -26,7 +26,7 @@ static_assert(encode_rg<16>(258.0f / 65536.0f) == u8vec2(2, 1));
 static_assert(decode_rg<11>(u8vec2(0, 32), lower_edge<float>) == 0.125f);
 static_assert(decode_rg<11>(u8vec2(255, 224), upper_edge<float>) == 1.0f);
 static_assert(rg<11>::codes == 2048 && rg<16>{}.error().above == 1.0 / 65536 && rg<16>{}.error().below == 0.0);
-static_assert(decode_rg<16>(u8vec2(2, 1), centre<float>) == 258.5f / 65536.0f);
+static_assert(decode_rg<16>(u8vec2(2, 1), center<float>) == 258.5f / 65536.0f);
 
 template <class Test>
 void for_every_family_member(Test test) {
@@ -60,7 +60,7 @@ TEST_CASE("decode_rg: bytes, sampled floats and sampled doubles agree, also for 
         float greatest = 0;
         for (int g = 0; g < 256; ++g)
             for (int r = 0; r < 256; ++r)
-                for (float edge : {lower_edge<float>, centre<float>, upper_edge<float>}) {
+                for (float edge : {lower_edge<float>, center<float>, upper_edge<float>}) {
                     const u8vec2 texel(r, g);
                     const float d = decode_rg<Bits>(texel, edge);
                     differing += d != decode_rg<Bits>(load_unorm8(texel), edge);

@@ -36,7 +36,7 @@ int wrong(float edge, int ulps) {
 
 TEST_CASE("receiver_rg, level_rg: the test of decode_rg, for every code, at, beside and between codes, in any read") {
     [&]<int... M>(std::integer_sequence<int, M...>) {
-        for (const float edge : {lower_edge<float>, centre<float>, upper_edge<float>})
+        for (const float edge : {lower_edge<float>, center<float>, upper_edge<float>})
             for (const int ulps : {0, -1, 1, 32}) CHECK((wrong<9 + M>(edge, ulps) + ...) == 0);
     }
     (std::make_integer_sequence<int, 8>());

@@ -16,7 +16,7 @@ static_assert(encode_rgb24(0.5f) == u8vec3(128, 0, 0));
 static_assert(encode_rgb24(float(0x010203) / 16777216.0f) == u8vec3(1, 2, 3));
 static_assert(decode_rgb24(u8vec3(1, 2, 3), lower_edge<float>) == float(0x010203) / 16777216.0f);
 static_assert(decode_rgb24(u8vec3(255), upper_edge<float>) == 1.0f);
-static_assert(decode_rgb24(u8vec3(255), centre<double>) == 1.0 - 0x1p-25);
+static_assert(decode_rgb24(u8vec3(255), center<double>) == 1.0 - 0x1p-25);
 
 }  // namespace
 
@@ -36,7 +36,7 @@ TEST_CASE("decode_rgb24: bytes, sampled floats and sampled doubles agree") {
             REQUIRE(d == decode_rgb24(load_unorm8(texel), edge));
             REQUIRE(double(d) == decode_rgb24(load_unorm8<double>(texel), double(edge)));
         }
-        REQUIRE(decode_rgb24(load_unorm8<double>(texel), centre<double>) == (x + 0.5) / 16777216.0);
+        REQUIRE(decode_rgb24(load_unorm8<double>(texel), center<double>) == (x + 0.5) / 16777216.0);
     }
 }
 

@@ -30,7 +30,7 @@ inline double texel_at(const umbrage::image<float>& map, long long x, long long 
         map.texels()[inside(y, map.size().y) * static_cast<std::size_t>(map.size().x) + inside(x, map.size().x)]);
 }
 
-/// Coordinates where things happen: inside and around the map, at texel edges and centres, a step beside them,
+/// Coordinates where things happen: inside and around the map, at texel edges and centers, a step beside them,
 /// near the limits of texel space.
 inline std::vector<float> awkward_coordinates(std::mt19937& random, int size) {
     std::vector<float> all{

@@ -24,7 +24,7 @@ TEST_CASE("make_moment_table: in any pieces; refuses what could wrap, and takes 
     CHECK(table.size() == glm::ivec2(602, 301));
     const auto pieces = make_moment_table(map.view(), of, last_piece_first{5});
     CHECK(std::equal(table.texels().begin(), table.texels().end(), pieces.texels().begin()));
-    CHECK(glm::vec4(table[{1, 1}]) == glm::floor(turn_moments(encode_msm(1.0f)) * 65535.0f + 0.5f));
+    CHECK(glm::vec4(table[{1, 1}]) == glm::floor(to_optimized_moments(encode_msm(1.0f)) * 65535.0f + 0.5f));
     CHECK_THROWS_AS((void)make_moment_table(map.view(), {.radius = 128}), std::invalid_argument);  // 257^2 > 65537
     const image<float> strip({65537, 1}, 0.0f), wider({65538, 1}, 0.0f);
     CHECK(make_moment_table(strip.view(), {.radius = 32767}).size().x == 2 * 65538);

@@ -51,7 +51,7 @@ TEST_CASE("overlay: scaled to the nearest texel and cut off at the picture's bor
     CHECK(tiny[{0, 0}] == glm::u8vec3(204));  // the texel right and below of the map's middle
 }
 
-TEST_CASE("overlay: colours, NaN, nothing to draw, bad sizes") {
+TEST_CASE("overlay: colors, NaN, nothing to draw, bad sizes") {
     auto map = two_by_two();
     image<glm::u8vec3> picture({2, 2}, backdrop);
     overlay(picture, map, {}, [](float v) { return glm::vec3(v, 0.0f, 2.0f); });

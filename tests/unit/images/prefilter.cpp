@@ -67,7 +67,7 @@ TEST_CASE("prefilter: encoded, blurred, looked up, bit for bit as texel by texel
             CHECK(same(lit, again));
             for (std::size_t i = 0; i < lit.texels().size(); ++i) {
                 const glm::vec3 r = receivers.texels()[i];
-                const bool compared = is_compared(glm::vec2(r), r.z, comparison{direction});
+                const bool compared = in_filter_domain(glm::vec2(r), r.z, comparison{direction});
                 wrong += lit.texels()[i] !=
                          (compared ? filter.decode(fetch_bilinear(clamped(blurred), glm::vec2(r)), r.z) : 1.0f);
             }

@@ -43,10 +43,10 @@ TEST_CASE("sphere_around: holds the corners, and no smaller one on the axis does
             for (const glm::dvec3& c : all) r = std::max(r, glm::length(c - from));
             return r;
         };
-        CHECK(std::abs(farthest(sphere.centre) - sphere.radius) < 1e-12 * sphere.radius);
+        CHECK(std::abs(farthest(sphere.center) - sphere.radius) < 1e-12 * sphere.radius);
         const glm::dvec3 step = glm::normalize(f.direction) * (1e-4 * sphere.radius);
-        CHECK(farthest(sphere.centre + step) > sphere.radius);
-        CHECK(farthest(sphere.centre - step) > sphere.radius);
+        CHECK(farthest(sphere.center + step) > sphere.radius);
+        CHECK(farthest(sphere.center - step) > sphere.radius);
     }
 }
 

@@ -13,20 +13,20 @@
 
 using namespace umbrage;
 
-TEST_CASE_TEMPLATE("pancaked: by hand in every convention", T, float, double) {
+TEST_CASE_TEMPLATE("pancake: by hand in every convention", T, float, double) {
     using vec = glm::vec<4, T>;
-    CHECK(pancaked(vec(1, 2, -3, 4), T(0)) == vec(1, 2, 0, 4));
-    CHECK(pancaked(vec(1, 2, 3, 4), T(0)) == vec(1, 2, 3, 4));
-    CHECK(pancaked(vec(1, 2, -5, 4), T(-1)) == vec(1, 2, -4, 4));
-    CHECK(pancaked(vec(1, 2, -3, 4), T(-1)) == vec(1, 2, -3, 4));
-    CHECK(pancaked(vec(1, 2, 5, 4), T(1)) == vec(1, 2, 4, 4));
-    CHECK(pancaked(vec(1, 2, -5, 4), T(1)) == vec(1, 2, -5, 4));
+    CHECK(pancake(vec(1, 2, -3, 4), T(0)) == vec(1, 2, 0, 4));
+    CHECK(pancake(vec(1, 2, 3, 4), T(0)) == vec(1, 2, 3, 4));
+    CHECK(pancake(vec(1, 2, -5, 4), T(-1)) == vec(1, 2, -4, 4));
+    CHECK(pancake(vec(1, 2, -3, 4), T(-1)) == vec(1, 2, -3, 4));
+    CHECK(pancake(vec(1, 2, 5, 4), T(1)) == vec(1, 2, 4, 4));
+    CHECK(pancake(vec(1, 2, -5, 4), T(1)) == vec(1, 2, -5, 4));
     CHECK(near_depth(opengl_clip_space) == -1.0f);
     CHECK(near_depth(vulkan_clip_space) == 0.0f);
     CHECK(near_depth({.range = depth_range::minus_one_to_one, .direction = depth_direction::reversed}) == 1.0f);
 }
 
-TEST_CASE("pancaked: triangles before the near plane or behind it draw what a near plane that clamps draws") {
+TEST_CASE("pancake: triangles before the near plane or behind it draw what a near plane that clamps draws") {
     std::mt19937 random(1);
     for (clip_space clip : all_clip_spaces()) {
         CAPTURE(to_string(clip));
@@ -42,7 +42,7 @@ TEST_CASE("pancaked: triangles before the near plane or behind it draw what a ne
                                     (i % 2 ? 5.0f : 0.0f) * direction);
         }
         const glm::mat4 matrix = light.projection * light.view;
-        for (glm::vec3 p : positions) pressed.emplace_back(pancaked(matrix * glm::vec4(p, 1), near_depth(clip)));
+        for (glm::vec3 p : positions) pressed.emplace_back(pancake(matrix * glm::vec4(p, 1), near_depth(clip)));
         image<float> by_rasterizer({64, 64}, cleared_depth(clip)), by_vertex = by_rasterizer;
         rasterize_depth(by_rasterizer, {positions, triangles}, matrix, clip, cull_mode::none, serial{},
                         near_plane::clamps);

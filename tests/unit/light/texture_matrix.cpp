@@ -248,7 +248,7 @@ TEST_CASE("texture_matrix: lands on the texel and the depth that the rasterizer 
             rasterize_depth(map, {positions, triangles}, light.projection * light.view, clip);
 
             const glm::mat4 m = texture_matrix(light, size);
-            // Each texel's centre and depth, back in the world, is on the triangle: in its plane, inside but for the
+            // Each texel's center and depth, back in the world, is on the triangle: in its plane, inside but for the
             // vertices' snapping to 1/256 texel.
             const glm::dmat4 back = glm::inverse(glm::dmat4(m));
             double worst_height = 0, worst_outside = 0;
@@ -281,7 +281,7 @@ TEST_CASE("texture_matrix: lands on the texel and the depth that the rasterizer 
                 const glm::ivec2 texel(glm::floor(glm::vec2(p)));
                 const float stored = map[texel];
                 missed += stored == cleared_depth(clip);
-                // the neighbours say how steep the depth is
+                // the neighbors say how steep the depth is
                 const double slope = std::abs(map[texel + glm::ivec2(1, 0)] - map[texel - glm::ivec2(1, 0)]) / 2 +
                                      std::abs(map[texel + glm::ivec2(0, 1)] - map[texel - glm::ivec2(0, 1)]) / 2;
                 worst_depth = worse(worst_depth, std::abs(stored - p.z) - slope * 0.51);

@@ -29,7 +29,7 @@ TEST_CASE_TEMPLATE("spot_cone: by hand", T, float, double) {
     CHECK(spot_cone(down, vec(0, 0, 0), T(0.5)) == 0);
 }
 
-TEST_CASE("spot_cone: as the normalised test in double, but for 2^-22 around the edge") {
+TEST_CASE("spot_cone: as the normalized test in double, but for 2^-22 around the edge") {
     std::mt19937 random(1);
     std::normal_distribution<float> coordinate;
     std::uniform_real_distribution<float> edge(0, 0.9999f), power(-30, 30);

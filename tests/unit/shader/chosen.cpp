@@ -22,7 +22,7 @@ TEST_CASE("a snippet is a map's own where it is a hook or calls one, and reads t
     using namespace umbrage::glsl::detail;
     CHECK(is_of_map(glsl::hard));
     CHECK(reads_map(glsl::hard));
-    CHECK(is_of_map(glsl::beyond_far));
-    CHECK_FALSE(reads_map(glsl::is_compared));
+    CHECK(is_of_map(glsl::beyond_far_plane));
+    CHECK_FALSE(reads_map(glsl::in_filter_domain));
     CHECK_FALSE(is_of_map(glsl::inside_texel_space));
 }

@@ -86,8 +86,8 @@ TEST_CASE("names that make one function of two, or one guard, are refused") {
                          std::invalid_argument);
     CHECK_THROWS_WITH_AS(
         (void)glsl::text({bind(glsl::hard, "sun"), bind(glsl::hard, "Sun", layered)}),
-        "umbrage::glsl::text: names must keep functions apart, in capitals too; got umbrage_beyond_far_sun "
-        "and umbrage_beyond_far_Sun",
+        "umbrage::glsl::text: names must keep functions apart, in capitals too; got umbrage_beyond_far_plane_sun "
+        "and umbrage_beyond_far_plane_Sun",
         std::invalid_argument);
     CHECK_THROWS_AS((void)glsl::text({bind(glsl::hard, "2x2"), glsl::pcf_2x2}), std::invalid_argument);
 }
@@ -101,12 +101,12 @@ TEST_CASE("what hooks call is put in front, however the snippets are listed") {
 
 TEST_CASE("a map of depths on a scale of their own has no far plane") {
     binding levels{.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}};
-    CHECK(function(glsl::text({bind(glsl::hard, "a", levels)}), "umbrage_beyond_far_a").find("return false;") !=
+    CHECK(function(glsl::text({bind(glsl::hard, "a", levels)}), "umbrage_beyond_far_plane_a").find("return false;") !=
           std::string::npos);
     for (const std::string& text :
          {glsl::text({glsl::hard, glsl::level_rg<11>}), glsl::text({glsl::level_rg<11>, glsl::hard}),
           glsl::text({glsl::level_rg<11>})}) {  // to be pasted in front of filters
-        CHECK(function(text, "umbrage_beyond_far").find("return false;") != std::string::npos);
+        CHECK(function(text, "umbrage_beyond_far_plane").find("return false;") != std::string::npos);
         CHECK(text.find("UMBRAGE_BEYOND_FAR(") == std::string::npos);
     }
     CHECK(glsl::text({glsl::hard, glsl::decode_rg<11>}).find("#ifndef UMBRAGE_BEYOND_FAR\n") != std::string::npos);

@@ -58,7 +58,7 @@ std::vector<word> words(std::string_view code) {
     return found;
 }
 
-/// What a snippet lets its users define, as UMBRAGE_LIT.
+/// What a snippet lets its users define, as UMBRAGE_COMPARE.
 std::vector<std::string> macros(const snippet& s) {
     std::vector<std::string> found;
     const std::string text = s.source.str();

@@ -32,10 +32,10 @@ float umbrage_spot_cone(float3 direction, float3 to_point, float cos_outer) {
 TEST_CASE("hlsl: a filter's map is a texture, and one with a sampler where samplers compare") {
     CHECK(function_with_comment(hlsl::text({glsl::hard}), "umbrage_hard") ==
           R"(// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_hard(Texture2D<float4> map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 texel = compared ? floor(coord) : float2(0.0, 0.0);  // no branch: fetches of several taps overlap
     float lit = umbrage_lit(map, size, texel, receiver);
     return compared ? lit : 1.0;

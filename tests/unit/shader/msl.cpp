@@ -12,11 +12,11 @@
 using namespace umbrage;
 
 TEST_CASE("msl: a snippet as one would have written it") {
-    CHECK(msl::text({glsl::false_colour})
-              .starts_with("// umbrage 0.1.0, MIT License: false_colour\n" + std::string(msl::prelude)));
-    CHECK(function_with_comment(msl::text({glsl::false_colour}), "umbrage_false_colour") ==
-          R"(// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
-inline float3 umbrage_false_colour(float v) {
+    CHECK(msl::text({glsl::false_color})
+              .starts_with("// umbrage 0.1.0, MIT License: false_color\n" + std::string(msl::prelude)));
+    CHECK(function_with_comment(msl::text({glsl::false_color}), "umbrage_false_color") ==
+          R"(// umbrage_false_color: blue for 0.0, through green, to red for 1.0
+inline float3 umbrage_false_color(float v) {
     float x = umbrage_saturate(v) * 4.0;
     float3 ramp = 1.5 - metal::abs(float3(x - 3.0, x - 2.0, x - 1.0));
     return float3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));

@@ -28,7 +28,7 @@ TEST_CASE_TEMPLATE("overlay_texel: by hand", T, float, double) {
     CHECK(shown<T>(1, 4, 2) == 0);
     CHECK(shown<T>(2, 4, 2) == 1);
     CHECK(shown<T>(3, 4, 2) == 1);
-    CHECK(shown<T>(0, 1, 2) == 1);  // the centre lies on an edge: the texel that begins there
+    CHECK(shown<T>(0, 1, 2) == 1);  // the center lies on an edge: the texel that begins there
     CHECK(shown<T>(1, 3, 12) == 6);
     CHECK(shown<T>(2047, 2048, 4096) == 4095);
     CHECK(shown<T>(63, 64, 65536) == 65024);
@@ -59,9 +59,9 @@ TEST_CASE_TEMPLATE("overlay_texel: up to the largest sides, with quotients that 
         const std::int64_t map_size = up_to(std::int64_t{1} << up_to(is_float ? 16 : 31));
         const std::int64_t most = std::min(area / map_size, std::int64_t{1} << 31), size = i % 4 ? up_to(most) : most;
         const std::int64_t pixel = i % 8 ? up_to(size) - 1 : size - 1;
-        const auto centre = static_cast<std::uint64_t>(2 * pixel + 1) * static_cast<std::uint64_t>(map_size);
+        const auto center = static_cast<std::uint64_t>(2 * pixel + 1) * static_cast<std::uint64_t>(map_size);
         const int ulp = static_cast<int>(up_to(33)) - 17;
-        wrong += shown<T>(pixel, size, map_size, ulp) != T(centre / static_cast<std::uint64_t>(2 * size));
+        wrong += shown<T>(pixel, size, map_size, ulp) != T(center / static_cast<std::uint64_t>(2 * size));
     }
     CHECK(wrong == 0);
 }

@@ -6,7 +6,7 @@
 //
 // Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error
 // is up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left
-// is the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out
+// is the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighboring floats decode 1 ulp out
 // of it.
 //
 #pragma once

@@ -30,7 +30,7 @@ template <real T>
 /// @exactness     B, n = 1: one product with the rounded quotient
 template <real T>
 [[nodiscard]] constexpr T receiver_ps14(T depth) {
-    return less_equal::beyond_far(depth) ? T(-1) : depth * T(256.0 / 255.0);
+    return less_equal::beyond_far_plane(depth) ? T(-1) : depth * T(256.0 / 255.0);
 }
 
 namespace glsl {

@@ -2,13 +2,14 @@
 //
 // Percentage-closer soft shadows: hard where a caster touches what it shadows, softer the farther it is.
 //
-//     umbrage::light_softness soft = umbrage::make_softness(umbrage::make_light_units(light, map.size()), lamp_radius);
+//     glm::vec2 units = umbrage::make_light_units(light, map.size());
+//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
 //     float visibility = umbrage::pcss<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
-//                                          umbrage::disc_turn(pixel));
+//                                          umbrage::disc_rotation(pixel));
 //
 // A disc as wide as the light, seen from the receiver, is searched for blockers; their mean distance gives the
-// penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, turn and bias:
-// one that is acne-free for the widest radius is so for all.
+// penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, rotation and
+// bias: one that is acne-free for the widest radius is so for all.
 #pragma once
 
 #include <array>
@@ -21,10 +22,10 @@ namespace umbrage {
 
 /// @tparam Points    8, 16 or 32, of the search and of the filter
 /// @param fetch      ivec2 texel -> stored depth; called twice Points times, texels may lie the widest radius outside
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param softness   of make_softness: (per_code, least, widest)
-/// @param turn       as disc_turn gives it
+/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
+/// @param rotation   as disc_rotation gives it
 /// @return           visibility, a multiple of 1 / Points; 1 where the search finds no blocker, as for a receiver at
 ///                   the near plane; where all it finds blocks, the filter decides all the same
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
@@ -34,15 +35,15 @@ namespace umbrage {
 /// @exactness        A
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> turn,
+[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const T z = distance_code(receiver, is_lit);
     const glm::vec<2, T> found =
-        blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, penumbra(z, softness), turn, is_lit);
+        blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, penumbra(z, softness), rotation, is_lit);
     if (!(found.x > T(0))) return T(1);
     const T radius = penumbra(z - floor_divide(found.y, found.x), softness);
-    return disc<Points>(fetch, coord, receiver, radius * T(0.0625), turn, is_lit);
+    return disc<Points>(fetch, coord, receiver, radius * T(0.0625), rotation, is_lit);
 }
 
 namespace glsl {
@@ -51,20 +52,20 @@ namespace detail {
 [[nodiscard]] inline std::string pcss_text(int points) {
     return filled(R"GLSL(
 // umbrage_pcss$n: percentage-closer soft shadows, $n points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
-                                   UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
-    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
-    return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 )GLSL",
                   {{'n', points}});
@@ -79,7 +80,7 @@ inline constexpr snippet pcss{
                : Points == 16 ? "percentage-closer soft shadows, 16 points twice"
                               : "percentage-closer soft shadows, 32 points twice",
     .exactness = tier::a,
-    .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
+    .needs = list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
     .source = {detail::pcss_text, Points}};
 
 inline constexpr const snippet* pcss_snippets[]{&pcss<8>, &pcss<16>, &pcss<32>};
@@ -91,7 +92,7 @@ namespace filters {
 /// The filter as a value; functions over images turn it from pixel to pixel.
 struct pcss {
     int points = 16;  ///< 8, 16 or 32
-    light_softness softness{};
+    penumbra_params softness{};
     comparison is_lit{};
     literal name = "pcss16";
     const glsl::snippet* snippet = &glsl::pcss<16>;
@@ -99,17 +100,19 @@ struct pcss {
     static const std::array<pcss, 3> values;
 
     /// The disc of the widest radius.
-    [[nodiscard]] constexpr rotated_disc widest() const { return {points, softness.widest * 0.0625f, is_lit}; }
+    [[nodiscard]] constexpr rotated_disc largest_disc() const {
+        return {points, softness.max_radius * 0.0625f, is_lit};
+    }
     /// From a receiver to the farthest point, in texels.
-    [[nodiscard]] constexpr float farthest_point() const { return widest().farthest_point(); }
-    [[nodiscard]] constexpr float reach() const { return widest().reach(); }
+    [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
+    [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 turn = disc_turn(glm::vec2(pixel));
+        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
         const glm::vec3 soft(softness);
-        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, turn, is_lit);
-        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, turn, is_lit);
-        return umbrage::pcss<32>(fetch, coord, receiver, soft, turn, is_lit);
+        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, is_lit);
+        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, is_lit);
+        return umbrage::pcss<32>(fetch, coord, receiver, soft, rotation, is_lit);
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };

@@ -4,16 +4,17 @@
 // pcss.hpp, which has the same bits everywhere.
 //
 //     float visibility = umbrage::pcss_hardware<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
-//                                                   umbrage::disc_turn(pixel));
+//                                                   umbrage::disc_rotation(pixel));
 //
 // A shader binds one texture twice: to a sampler of the nearest texel, from which the search reads depths
 // (texture::depth with gather set, which says that there is one), and to one that compares and filters:
 //
-//     vec2 turn = umbrage_disc_turn(gl_FragCoord.xy);
+//     vec2 rotation = umbrage_disc_rotation(gl_FragCoord.xy);
 //     float search = umbrage_pcss_radius(vec2(0.0, 0.0), receiver, soft);
-//     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, turn);
+//     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, rotation);
 //     float radius = umbrage_pcss_radius(found, receiver, soft);
-//     float visibility = found.x > 0.5 ? umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, turn) : 1.0;
+//     float visibility = 1.0;
+//     if (found.x > 0.5) visibility = umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, rotation);
 //
 // Points of the search within a rounding of a texel's border may read the texel beside it.
 #pragma once
@@ -42,20 +43,20 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param coord      receiver in texels; outside texel space, or NaN: none found
 /// @param receiver   depth, biased as for the filter; beyond the far plane: none found; NaN has all before it
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
-/// @param turn       as disc_turn gives it; not a number: none found
+/// @param rotation   as disc_rotation gives it; not a number: none found
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
 /// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
-                                               glm::vec<2, T> turn, Compare is_lit = {}) {
+                                               glm::vec<2, T> rotation, Compare is_lit = {}) {
     glm::vec<2, T> found(T(0), T(0));
-    if (!is_compared(coord, receiver, is_lit)) return found;
+    if (!in_filter_domain(coord, receiver, is_lit)) return found;
     const T rho = clamped_disc_radius(radius);
     for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::vec<2, T> at = disc_position(coord, glm::vec<2, T>(point), turn, rho);
+        const glm::vec<2, T> at = disc_position(coord, glm::vec<2, T>(point), rotation, rho);
         const T reached = glm::abs(at.x) + glm::abs(at.y);
-        if (is_nan(reached) || reached >= T(1 << 17)) continue;  // no turn that disc_turn gives
+        if (is_nan(reached) || reached >= T(1 << 17)) continue;  // no rotation that disc_rotation gives
         const auto stored = T(fetch(glm::ivec2(glm::floor(at))));
         if (!is_lit(receiver, stored)) found += glm::vec<2, T>(T(1), stored);
     }
@@ -65,8 +66,8 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// Radius of the penumbra that blockers leave at a receiver; without a blocker, (0, 0), that of one at the near plane,
 /// beyond which no search needs to look.
 /// @param found      (how many, the sum of their depths)
-/// @param softness   of make_softness: (per_code, least, widest)
-/// @return           in texels, from least / 16 to widest / 16; the former for what is NaN
+/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
+/// @return           in texels, from min_radius / 16 to max_radius / 16; the former for what is NaN
 /// @formula          |receiver - mean| 4096 per_code, clamped
 /// @exactness        C, n = 6: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
@@ -75,28 +76,28 @@ template <real T, class Compare = less_equal>
     const bool forward = is_lit(T(0), T(1));
     const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
     const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
-    const T least = softness.y * T(0.0625);
-    return radius > least ? detail::lesser(radius, softness.z * T(0.0625)) : least;
+    const T min_radius = softness.y * T(0.0625);
+    return radius > min_radius ? detail::lesser(radius, softness.z * T(0.0625)) : min_radius;
 }
 
 /// @tparam Points    8, 16 or 32, of the search and of the filter
 /// @param fetch      ivec2 texel -> stored depth; called up to 5 Points times
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param softness   of make_softness: (per_code, least, widest)
-/// @param turn       as disc_turn gives it
+/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
+/// @param rotation   as disc_rotation gives it
 /// @return           visibility, 0 in shadow, 1 lit; 1 where the search finds no blocker
 /// @formula          disc_hardware(pcss_radius(blockers_hardware(pcss_radius(none))))
 /// @exactness        C, where blockers' texels are the same: 1/128 and what the radius is off by
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcss_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness,
-                              glm::vec<2, T> turn, Compare is_lit = {}) {
+                              glm::vec<2, T> rotation, Compare is_lit = {}) {
     const T search = pcss_radius(glm::vec<2, T>(T(0), T(0)), receiver, softness, is_lit);
-    const auto found = blockers_hardware<Points>(fetch, coord, receiver, search, turn, is_lit);
+    const auto found = blockers_hardware<Points>(fetch, coord, receiver, search, rotation, is_lit);
     if (!(found.x > T(0))) return T(1);
     const T radius = pcss_radius(found, receiver, softness, is_lit);
-    return disc_hardware<Points>(fetch, coord, receiver, radius, turn, is_lit);
+    return disc_hardware<Points>(fetch, coord, receiver, radius, rotation, is_lit);
 }
 
 namespace glsl {
@@ -127,14 +128,14 @@ inline constexpr snippet pcss_radius{
     .source = R"GLSL(
 // umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
 //   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
                                         UMBRAGE_HIGHP vec3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
     UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    UMBRAGE_HIGHP float least = softness.y * 0.0625;
-    return radius > least ? min(radius, softness.z * 0.0625) : least;
+    UMBRAGE_HIGHP float min_radius = softness.y * 0.0625;
+    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
 }
 )GLSL",
 };
@@ -144,11 +145,11 @@ namespace detail {
 [[nodiscard]] inline std::string blockers_hardware_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_blockers_hardware$n: of the texels at $n points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                               UMBRAGE_HIGHP vec2 turn) {)GLSL",
+                                               UMBRAGE_HIGHP vec2 rotation) {)GLSL",
                               {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n";
@@ -168,7 +169,7 @@ inline constexpr snippet blockers_hardware{
                               : "the same at 32 points",
     .exactness = tier::c,
     .operations = 24,
-    .needs = list<&is_compared, &blocker_at>,
+    .needs = list<&in_filter_domain, &blocker_at>,
     .source = {detail::blockers_hardware_text, Points}};
 
 inline constexpr const snippet* pcss_hardware_snippets[]{&blocker_at, &pcss_radius, &blockers_hardware<8>,

@@ -2,15 +2,16 @@
 //
 // How wide a penumbra is, from what lies between a receiver and the light: of suns and of spots, by one formula.
 //
-//     umbrage::light_softness soft = umbrage::make_softness(umbrage::make_light_units(light, map.size()), lamp_radius);
-//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, turn);
+//     glm::vec2 units = umbrage::make_light_units(light, map.size());
+//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
+//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, rotation);
 //     float mean = umbrage::floor_divide(found.y, found.x);  // of codes, 0 at the light
 //     float radius = umbrage::penumbra(umbrage::distance_code(receiver) - mean, glm::vec3(soft));
 //
-// A spot's z/w is linear in 1 / distance, and so is the width of its penumbrae in texels, which grow with the distance:
+// A spot's z/w is linear in 1 / distance, and so is the width of its penumbras in texels, which grow with the distance:
 // radius (1 / d_blocker - 1 / d_receiver) texels a unit at distance 1. Both sides of a division cancel, and no depth is
 // made linear. The mean of several blockers' z/w is that of their 1 / distance, whose distance is the harmonic mean:
-// penumbrae are never smaller than the mean distance would make them.
+// penumbras are never smaller than the mean distance would make them.
 #pragma once
 
 #include <cmath>
@@ -30,39 +31,39 @@
 namespace umbrage {
 
 /// What a light's size makes of distances: whole numbers, or nearly so, that keep all below exact.
-struct light_softness {
+struct penumbra_params {
     float per_code = 0.0625f;  ///< penumbra's radius in 1/16 texel, a code between blocker and receiver; 8 bits
-    float least = 16.0f;       ///< radius of the filter where blockers touch receivers, 1/16 texel, whole
-    float widest = 96.0f;      ///< of filter and search, 1/16 texel, whole, at most 4095
+    float min_radius = 16.0f;  ///< radius of the filter where blockers touch receivers, 1/16 texel, whole
+    float max_radius = 96.0f;  ///< of filter and search, 1/16 texel, whole, at most 4095
 
-    [[nodiscard]] explicit operator glm::vec3() const { return {per_code, least, widest}; }
+    [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
 };
 
 /// @param units          make_light_units of the light and the map
 /// @param light_size     radius of a spot's lamp in world units; of a directional light the tangent of half the angle
 ///                       that it is seen under, of the sun 0.00465
-/// @param least_texels   the filter's radius where a blocker touches the receiver: 1 hides the map's steps, 0 is hard
-/// @param widest_texels  wider penumbrae are cut to that, and blockers farther off are not found; with 16 points beyond
+/// @param min_radius     the filter's radius where a blocker touches the receiver: 1 hides the map's steps, 0 is hard
+/// @param max_radius     wider penumbras are cut to that, and blockers farther off are not found; with 16 points beyond
 ///                       16 texels or so noise shows
-/// @return               per_code rounded to 8 bits, by 1/256 of it at most; 0 for lights of no size: all is `least`
+/// @return               per_code rounded to 8 bits, by 1/256 of it at most; 0 for lights of no size: all is min_radius
 /// @throws std::invalid_argument  units or size that are not finite or below 0, radii that are not
-///                                0 <= least <= widest <= 255.9375
+///                                0 <= min_radius <= max_radius <= 255.9375
 /// @formula              per_code = 16 light_size / (65536 units.x units.y)
 template <real T>
-[[nodiscard]] light_softness make_softness(glm::vec<2, T> units, T light_size, T least_texels = T(1),
-                                           T widest_texels = T(16)) {
-    constexpr auto function = "make_softness";
+[[nodiscard]] penumbra_params make_penumbra_params(glm::vec<2, T> units, T light_size, T min_radius = T(1),
+                                                   T max_radius = T(16)) {
+    constexpr auto function = "make_penumbra_params";
     detail::require(is_finite(light_size) && light_size >= T(0), function, "light_size", "must be finite, not below 0");
     detail::require(detail::all_finite(units) && units.x > T(0) && units.y > T(0), function, "units",
                     "must be finite and above 0");
-    detail::require(least_texels >= T(0) && least_texels <= widest_texels && widest_texels <= T(max_disc_radius),
-                    function, "least_texels and widest_texels", "must be in order, from 0 to 255.9375");
+    detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
+                    "min_radius and max_radius", "must be in order, from 0 to 255.9375");
     const auto exact = double(light_size) / (4096.0 * double(units.x) * double(units.y));
     int exponent = 0;
     const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
     const bool counts = exponent > -24;  // else no penumbra has a 256th of a texel
     return {counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f,
-            static_cast<float>(disc_radius(least_texels)), static_cast<float>(disc_radius(widest_texels))};
+            static_cast<float>(disc_radius(min_radius)), static_cast<float>(disc_radius(max_radius))};
 }
 
 /// A depth as its distance from the near plane.
@@ -80,9 +81,9 @@ template <real T, class Compare = less_equal>
 
 /// Radius of a penumbra.
 /// @param apart      codes from the blocker to the receiver; whole, below 2^16, below 0 as 0
-/// @param softness   of make_softness: (per_code, least, widest)
-/// @return           in 1/16 texel, whole, from least to widest
-/// @formula          min(max(floor(apart per_code), least), widest)
+/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
+/// @return           in 1/16 texel, whole, from min_radius to max_radius
+/// @formula          min(max(floor(apart per_code), min_radius), max_radius)
 /// @exactness        A: a product of 24 bits
 template <real T>
 [[nodiscard]] T penumbra(T apart, glm::vec<3, T> softness) {
@@ -105,16 +106,17 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param position   floor(256 coord) of the receiver
 /// @param receiver   depth, biased as for the filter; NaN has all texels before it
 /// @param radius     in 1/16 texel, whole, 0 .. 4095
-/// @param turn       as disc_turn gives it
+/// @param rotation   as disc_rotation gives it
 /// @return           (how many, the sum of their distance_codes): whole, a NaN among texels counts as a blocker at the
 ///                   far plane
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius, glm::vec<2, T> turn,
-                                      Compare is_lit = {}) {
+[[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,
+                                      glm::vec<2, T> rotation, Compare is_lit = {}) {
     glm::vec<2, T> found(T(0), T(0));
     for (const glm::ivec2 point : disc_points<Points>)
-        found += blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), turn, radius)), receiver, is_lit);
+        found +=
+            blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), rotation, radius)), receiver, is_lit);
     return found;
 }
 
@@ -143,7 +145,7 @@ inline constexpr snippet penumbra{
     .source = R"GLSL(
 // umbrage_penumbra: radius in 1/16 texel, a whole number
 //   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, least, widest), of make_softness
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
 UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
     return min(max(floor(apart * softness.x), softness.y), softness.z);
 }
@@ -173,16 +175,16 @@ namespace detail {
     std::string text = filled(R"GLSL(
 // umbrage_blockers$n: how many of a disc's $n points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                      UMBRAGE_HIGHP vec2 turn) {
+                                      UMBRAGE_HIGHP vec2 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
 )GLSL",
                               {{'n', points}});
     for (const disc_point p : umbrage::detail::points_of_disc(points))
         append(text,
-               "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), turn, radius), "
+               "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), rotation, radius), "
                "receiver);\n",
                {{'x', p.x}, {'y', p.y}});
     text += "    return n;\n}\n";

@@ -20,7 +20,7 @@ inline constexpr int max_box_radius = 8;
 /// Number of lit texels in the box around the receiver's own.
 ///
 /// @param fetch      ivec2 texel -> stored depth; called (2r+1)^2 times, texels may lie r outside the map
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: all lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     r, clamped to 0..8
 /// @return           0 .. (2r+1)^2
@@ -30,7 +30,7 @@ inline constexpr int max_box_radius = 8;
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T box_count(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
     const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
-    if (!is_compared(coord, receiver, is_lit)) return T((2 * r + 1) * (2 * r + 1));
+    if (!in_filter_domain(coord, receiver, is_lit)) return T((2 * r + 1) * (2 * r + 1));
     const glm::ivec2 texel(glm::floor(coord));
     int count = 0;
     for (int j = -r; j <= r; ++j)
@@ -70,16 +70,16 @@ inline constexpr snippet box_count{
     .name = "box_count",
     .summary = "lit texels in a box of radius 0..8",
     .exactness = tier::a,
-    .needs = list<&is_compared, &lit>,
+    .needs = list<&in_filter_domain, &lit>,
     .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
 UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                       UMBRAGE_HIGHP float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 first = compared ? floor(coord) - float(r) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float count = 0.0;
     for (int j = 0; j < 17; j++) {

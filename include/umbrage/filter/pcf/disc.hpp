@@ -3,7 +3,7 @@
 // Percentage-closer filtering over a disc: 8, 16 or 32 points, turned from pixel to pixel so that no pattern shows.
 //
 //     float visibility =
-//         umbrage::disc<16>(umbrage::clamped(map), coord, depth - bias, 3.0f, umbrage::disc_turn(pixel));
+//         umbrage::disc<16>(umbrage::clamped(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
 //
 // Points, turns and radii are whole numbers, so that taps fall on the same texels everywhere. The points were annealed
 // for the least error on edges of any direction, alone and over four quarter turns.
@@ -78,7 +78,7 @@ private:
 /// @formula          v = 4x + y mod 16: a quarter turn floor(v / 4) times, after v mod 4 times 22.5 degrees
 /// @exactness        A
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_turn(glm::vec<2, T> pixel) {
+[[nodiscard]] glm::vec<2, T> disc_rotation(glm::vec<2, T> pixel) {
     if (!inside_texel_space(pixel)) return {T(64), T(0)};
     const glm::vec<2, T> whole = glm::floor(pixel);
     const T sum = whole.x * T(4) + whole.y;
@@ -95,16 +95,16 @@ template <real T>
 
 /// The texel that a point of a disc falls on.
 /// @param position   floor(256 coord) of the receiver
-/// @param p          one of disc_points;   turn  as disc_turn gives it
+/// @param p          one of disc_points;   rotation  as disc_rotation gives it
 /// @param radius     in 1/16 texel, a whole number, 0 .. 4095
 /// @formula          floor((position + turned point * radius / 64) / 256), of point (x, y) turned by (c, s):
 ///                   (c x - s y, s x + c y)
 /// @exactness        A: multiples of 2^-14 below 2^10, in any order
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> turn, T radius) {
+[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> rotation, T radius) {
     const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at);
     const glm::vec<2, T> within = glm::clamp(at - texel, T(0), T(1));  // which no grouping of sums reaches across
-    const glm::vec<2, T> scaled = turn * (radius * T(1.0 / 16384.0));
+    const glm::vec<2, T> scaled = rotation * (radius * T(1.0 / 16384.0));
     return texel +
            glm::floor(within + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y));
 }
@@ -120,22 +120,22 @@ template <real T>
 /// Lit share of a disc's points.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     in texels, taken down to 1/16; clamped to 0 .. 255.9375, NaN is 0
-/// @param turn       as disc_turn gives it
+/// @param rotation   as disc_rotation gives it
 /// @return           visibility, a multiple of 1 / Points: 0 in shadow, 1 lit
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> turn,
+[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> position = glm::floor(coord * T(256));
     const T rho = disc_radius(radius);
     int lit = 0;
     for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), turn, rho));
+        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), rotation, rho));
         lit += is_lit(receiver, T(fetch(texel))) ? 1 : 0;
     }
     return static_cast<T>(lit) * T(1.0 / Points);
@@ -143,14 +143,14 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 
 namespace glsl {
 
-inline constexpr snippet disc_turn{
-    .name = "disc_turn",
+inline constexpr snippet disc_rotation{
+    .name = "disc_rotation",
     .summary = "one of 16 turns for a pixel",
     .exactness = tier::a,
     .needs = list<&inside_texel_space>,
     .source = R"GLSL(
-// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
-UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -158,9 +158,9 @@ UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP float base = v - quarter * 4.0;
     UMBRAGE_HIGHP vec2 low = base < 0.5 ? vec2(64.0, 0.0) : vec2(59.0, 24.0);
     UMBRAGE_HIGHP vec2 high = base < 2.5 ? vec2(45.0, 45.0) : vec2(24.0, 59.0);
-    UMBRAGE_HIGHP vec2 turn = base < 1.5 ? low : high;
-    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? turn : vec2(0.0 - turn.y, turn.x);
-    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - turn.x, 0.0 - turn.y) : vec2(turn.y, 0.0 - turn.x);
+    UMBRAGE_HIGHP vec2 first = base < 1.5 ? low : high;
+    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? first : vec2(0.0 - first.y, first.x);
+    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - first.x, 0.0 - first.y) : vec2(first.y, 0.0 - first.x);
     return quarter < 1.5 ? once : twice;
 }
 )GLSL",
@@ -172,14 +172,14 @@ inline constexpr snippet disc_tap{
     .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
 //   radius    in 1/16 texel, a whole number from 0 to 4095
-UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2(x, y));
@@ -206,18 +206,20 @@ namespace detail {
 [[nodiscard]] inline std::string disc_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_disc$n: lit share of $n points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
-    bool compared = umbrage_is_compared(coord, receiver);
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
 )GLSL",
                               {{'n', points}});
     for (const disc_point p : umbrage::detail::points_of_disc(points))
-        append(text, "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
+        append(text,
+               "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), rotation, rho), receiver);\n",
                {{'x', p.x}, {'y', p.y}});
     append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', points}});
     return text;
@@ -231,10 +233,11 @@ inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "d
                                          : Points == 16 ? "disc of 16 points, turned by the pixel"
                                                         : "disc of 32 points, turned by the pixel",
                               .exactness = tier::a,
-                              .needs = list<&is_compared, &disc_radius, &disc_tap, &lit>,
+                              .needs = list<&in_filter_domain, &disc_radius, &disc_tap, &lit>,
                               .source = {detail::disc_text, Points}};
 
-inline constexpr const snippet* disc_snippets[]{&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>};
+inline constexpr const snippet* disc_snippets[]{&disc_rotation, &disc_tap, &disc_radius,
+                                                &disc<8>,       &disc<16>, &disc<32>};
 
 }  // namespace glsl
 
@@ -256,15 +259,16 @@ struct rotated_disc {
         return disc_radius(radius_texels) * sixteenths * (1.0f / 256.0f);
     }
     [[nodiscard]] constexpr float reach() const {
-        const float sixteenths = points == 8 ? 13.0f : (points == 16 ? 14.0f : 15.0f);  // along an axis, in any turn
+        const float sixteenths =
+            points == 8 ? 13.0f : (points == 16 ? 14.0f : 15.0f);  // along an axis, in any rotation
         return disc_radius(radius_texels) * sixteenths * (1.0f / 256.0f) + (0.5f + 1.0f / 128.0f);
     }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 turn = disc_turn(glm::vec2(pixel));
-        if (points == 8) return umbrage::disc<8>(fetch, coord, receiver, radius_texels, turn, is_lit);
-        if (points == 16) return umbrage::disc<16>(fetch, coord, receiver, radius_texels, turn, is_lit);
-        return umbrage::disc<32>(fetch, coord, receiver, radius_texels, turn, is_lit);
+        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
+        if (points == 8) return umbrage::disc<8>(fetch, coord, receiver, radius_texels, rotation, is_lit);
+        if (points == 16) return umbrage::disc<16>(fetch, coord, receiver, radius_texels, rotation, is_lit);
+        return umbrage::disc<32>(fetch, coord, receiver, radius_texels, rotation, is_lit);
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };

@@ -29,7 +29,7 @@ template <real T, class Fetch, class Compare = less_equal>
     const std::array<glm::vec<2, T>, 4> texels{glm::floor(a), glm::floor(b), glm::floor(c), glm::floor(d)};
     const glm::vec<2, T> sum = glm::abs(texels[0]) + glm::abs(texels[1]) + glm::abs(texels[2]) + glm::abs(texels[3]);
     const auto inside = [](T v) { return !is_nan(v) && v < T(1 << 17); };
-    if (!inside(sum.x) || !inside(sum.y) || beyond_far(receiver, is_lit)) return T(1);
+    if (!inside(sum.x) || !inside(sum.y) || beyond_far_plane(receiver, is_lit)) return T(1);
     T count(0);
     for (const glm::vec<2, T>& texel : texels) count += lit(fetch, glm::ivec2(texel), receiver, is_lit);
     return count * T(0.25);
@@ -41,7 +41,7 @@ inline constexpr snippet four_tap{
     .name = "four_tap",
     .summary = "mean of four taps with coordinates of their own",
     .exactness = tier::a,
-    .needs = list<&lit, &beyond_far>,
+    .needs = list<&lit, &beyond_far_plane>,
     .source = R"GLSL(
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
@@ -55,7 +55,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     UMBRAGE_HIGHP vec2 d_texel = floor(d);
     UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
                                 umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;

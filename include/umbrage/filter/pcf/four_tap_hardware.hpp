@@ -27,7 +27,7 @@ template <real T, class Fetch, class Compare = less_equal>
                                   glm::vec<2, T> c, glm::vec<2, T> d, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> sum = (glm::abs(a) + glm::abs(b) + glm::abs(c) + glm::abs(d)) * size;
     const T reached = sum.x + sum.y;
-    if (is_nan(reached) || reached >= T(1 << 17) || beyond_far(receiver, is_lit)) return T(1);
+    if (is_nan(reached) || reached >= T(1 << 17) || beyond_far_plane(receiver, is_lit)) return T(1);
     T count(0);
     for (const glm::vec<2, T>& uv : {a, b, c, d}) count += compare(receiver, depth_at(fetch, size, uv), is_lit);
     return count * T(0.25);
@@ -40,7 +40,7 @@ inline constexpr snippet four_tap_hardware{
     .summary = "mean of four taps that a sampler of the nearest texel takes",
     .exactness = tier::c,
     .operations = 39,
-    .needs = list<&beyond_far, &compare, &depth_at>,
+    .needs = list<&beyond_far_plane, &compare, &depth_at>,
     .source = R"GLSL(
 // umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
@@ -49,7 +49,7 @@ UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
                                               UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
                                               UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
-    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x + sum.y < 131072.0;
     UMBRAGE_HIGHP float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
                                 umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
                                 umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +

@@ -14,7 +14,7 @@
 namespace umbrage {
 
 /// @param fetch      ivec2 texel -> stored depth; called once
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return           1 lit, 0 in shadow
 /// @formula          [receiver <= fetch(floor(coord))]
@@ -22,7 +22,7 @@ namespace umbrage {
 /// @cite             Williams: Casting curved shadows on curved surfaces, SIGGRAPH 1978
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T hard(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     return lit(fetch, glm::ivec2(glm::floor(coord)), receiver, is_lit);
 }
 
@@ -32,14 +32,14 @@ inline constexpr snippet hard{
     .name = "hard",
     .summary = "nearest texel, one test",
     .exactness = tier::a,
-    .needs = list<&is_compared, &lit>,
+    .needs = list<&in_filter_domain, &lit>,
     .source = R"GLSL(
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
     UMBRAGE_HIGHP float lit = umbrage_lit(map, size, texel, receiver);
     return compared ? lit : 1.0;

@@ -4,7 +4,7 @@
 //
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(map), coord, depth - bias);
 //
-// pcf_2x2 quantises the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
+// pcf_2x2 quantizes the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
 // DirectX SDK sample's form in plain floats.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace umbrage {
 /// Share of a receiver that is lit, from the four nearest texels, each compared and then weighted.
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times, texels may lie one outside the map
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
 /// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
@@ -24,8 +24,8 @@ namespace umbrage {
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centers, in 1/256 texel
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
     // Weights of the farther texels are in [0, 1) already; compilers cannot regroup sums across the clamp.
     const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1));
@@ -35,11 +35,11 @@ template <real T, class Fetch, class Compare = less_equal>
 }
 
 /// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
-/// Direct3D 9 putting pixel centres at whole numbers; here coord is as everywhere else, and the half texel is taken
+/// Direct3D 9 putting pixel centers at whole numbers; here coord is as everywhere else, and the half texel is taken
 /// off.
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, not biased; beyond 1: lit
 /// @param epsilon    in depth, added to the stored side of each comparison
 /// @return           visibility, 0 in shadow, 1 lit
@@ -48,7 +48,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @cite             Microsoft DirectX SDK, ShadowMap sample
 template <real T, class Fetch>
 [[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
-    if (!is_compared(coord, receiver)) return T(1);
+    if (!in_filter_domain(coord, receiver)) return T(1);
     const glm::vec<2, T> x = coord - T(0.5);
     const glm::vec<2, T> texel = glm::floor(x);
     const glm::vec<2, T> weight = x - texel;
@@ -67,14 +67,14 @@ inline constexpr snippet pcf_2x2{
     .name = "pcf_2x2",
     .summary = "bilinear 2x2, weights in steps of 1/256",
     .exactness = tier::a,
-    .needs = list<&is_compared, &lit_2x2>,
+    .needs = list<&in_filter_domain, &lit_2x2>,
     .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                     UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
@@ -92,14 +92,14 @@ inline constexpr snippet pcf_2x2_dx_sdk{
     .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats",
     .exactness = tier::b,
     .operations = 20,
-    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>,
+    .needs = list<&compare_dx_sdk, &in_filter_domain, &fetch_depth>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;

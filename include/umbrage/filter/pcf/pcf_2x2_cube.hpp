@@ -31,7 +31,7 @@ namespace umbrage {
 /// @exactness     A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> cube_lit(Fetch&& fetch, T size, glm::vec<3, T> texel, T receiver, Compare is_lit = {}) {
-    const glm::vec<3, T> n = cube_neighbour(texel, size);
+    const glm::vec<3, T> n = cube_neighbor(texel, size);
     if (n.z < T(0)) return {T(0), T(0)};
     const glm::ivec2 first = cube_tile(static_cast<int>(n.z), static_cast<int>(size));
     return {lit(fetch, first + glm::ivec2(n), receiver, is_lit), T(1)};
@@ -50,7 +50,7 @@ template <real T, class Fetch, class Compare = less_equal>
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> coord(at);
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256) + T(0.5)) - T(128);
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
     const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)), lo = T(1) - hi;
@@ -70,14 +70,14 @@ inline constexpr snippet cube_lit{
     .name = "cube_lit",
     .summary = "one comparison with a texel of a cube",
     .exactness = tier::a,
-    .needs = list<&cube_neighbour, &cube_tile, &lit>,
+    .needs = list<&cube_neighbor, &cube_tile, &lit>,
     .source = R"GLSL(
 // umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
 UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
                                     UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float side = size.y * 0.5;
-    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbour(texel, side);
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbor(texel, side);
     UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
     UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
     return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
@@ -90,7 +90,7 @@ inline constexpr snippet pcf_2x2_cube{
     .summary = "2 x 2 comparisons of a cube, over its edges too, bilinear weights",
     .exactness = tier::c,
     .operations = 33,
-    .needs = list<&is_compared, &cube_lit>,
+    .needs = list<&in_filter_domain, &cube_lit>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
 //   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
@@ -98,7 +98,7 @@ inline constexpr snippet pcf_2x2_cube{
 UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 1) already; compilers cannot regroup sums across the clamp

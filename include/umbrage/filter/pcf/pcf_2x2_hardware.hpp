@@ -85,17 +85,17 @@ inline constexpr snippet pcf_2x2_hardware{
     .summary = "2x2 by a comparison sampler with a linear filter",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &before_far, &lit_at>,
+    .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL",

@@ -10,7 +10,7 @@
 // In a shader a window asks for 2 x 2 texels at a time: bound to a map with `gather`, one of 3 x 3 weights takes 4
 // gathers, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
 //
-// A window of n x n weights touches n + 1 texels an axis: each texel has its own weight and that of its neighbour, as
+// A window of n x n weights touches n + 1 texels an axis: each texel has its own weight and that of its neighbor, as
 // much of either as the window has moved. The library's rows of weights are in windows.hpp.
 #pragma once
 
@@ -91,7 +91,7 @@ constexpr void window_weights(const window_row& row, int moved, T* weights) {
 ///
 /// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
 ///                   as half of them
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: all lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param row        as make_window_row makes it
 /// @return           0 .. row.whole^2
@@ -102,7 +102,7 @@ template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                            Compare is_lit = {}) {
     const T whole = static_cast<T>(row.whole);
-    if (!is_compared(coord, receiver, is_lit)) return whole * whole;
+    if (!in_filter_domain(coord, receiver, is_lit)) return whole * whole;
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(row.size % 2 ? 128 : 0);
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), moved = x - texel * T(256);
     const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
@@ -149,7 +149,7 @@ constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : 
     const char *const quads[] = {"a", "b", "c", "d"}, *const lanes[] = {"x", "y", "z", "w"};
     std::string text = filled(R"GLSL(
 // umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k$m   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
@@ -159,7 +159,7 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
                               {{'n', size}, {'m', middle}});
     for (int i = 2; i <= middle; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
     text += R"GLSL() {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
@@ -200,7 +200,7 @@ inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size ==
                                                : Size == 5 ? "weighted count of lit texels under a window of 5 x 5"
                                                            : "weighted count of lit texels under a window of 7 x 7",
                                     .exactness = tier::a,
-                                    .needs = list<&is_compared, &lit_2x2>,
+                                    .needs = list<&in_filter_domain, &lit_2x2>,
                                     .source = {detail::window_sum_text, Size}};
 
 inline constexpr const snippet* window_snippets[]{&window_sum<3>, &window_sum<5>, &window_sum<7>};

@@ -26,7 +26,7 @@ namespace umbrage {
 ///
 /// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
 ///                   as half of them
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param row        of weights above zero, 3, 5 or 7 in a shader; its steps, and that it is quadratic, do not count
 /// @return           visibility, 0 in shadow, 1 lit
@@ -38,7 +38,7 @@ namespace umbrage {
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                                 Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = coord - T(row.size % 2 ? 0.5 : 0.0), texel = glm::floor(x), s = x - texel;
     const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
     const auto weight = [&](int i, T moved) {
@@ -85,7 +85,7 @@ namespace detail {
 [[nodiscard]] inline std::string window_hardware_text(int size) {
     std::string text = filled(R"GLSL(
 // umbrage_window_hardware$n: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k$m  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
@@ -93,7 +93,7 @@ UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
                               {{'n', size}, {'m', size / 2}});
     for (int i = 2; i <= size / 2; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
     text += R"GLSL() {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_HIGHP vec2 s = x - texel;
@@ -115,7 +115,7 @@ UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
         append(text, "    n += w$j.y * row;\n", {{'j', j}});
     }
     text += R"GLSL(    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL";
@@ -132,7 +132,7 @@ inline constexpr snippet window_hardware{
                            : "window of 7 x 7 by 16 of them",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &before_far, &lit_at>,
+    .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
     .source = {detail::window_hardware_text, Size}};
 
 inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, &window_hardware<5>,

@@ -22,7 +22,7 @@
 namespace umbrage {
 
 /// Rows with weights in sixteenths, so that what they add up to is a power of two. tent_row: each weight one step from
-/// its neighbours.
+/// its neighbors.
 template <int Size>
 inline constexpr window_row tent_row = [] {
     static_assert(Size == 2 || Size == 3 || Size == 7, "of other sizes the weights add up to no power of two");
@@ -95,7 +95,7 @@ namespace detail {
                                              std::string_view share = "clamp(n * (1.0 / 16777216.0), 0.0, 1.0)") {
     return filled(R"GLSL(
 // umbrage_$f$n: lit share under $n x $n weights, $w, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
@@ -106,16 +106,16 @@ UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
                   {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
 }
 
-/// Of the windows of 3 x 3 texels: what the neighbours before and behind weigh, in 1/4096.
+/// Of the windows of 3 x 3 texels: what the neighbors before and behind weigh, in 1/4096.
 [[nodiscard]] inline std::string text_3x3(std::string_view name, std::string_view what, std::string_view before,
                                           std::string_view behind) {
     return filled(R"GLSL(
 // umbrage_$f: lit share of 3 x 3 texels, $w; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
@@ -141,7 +141,7 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
 template <int Size>
 inline constexpr const auto& window_needs = list<&window_sum<Size>>;
 template <>
-inline constexpr const auto& window_needs<2> = list<&is_compared, &lit_2x2>;
+inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>;
 
 }  // namespace detail
 

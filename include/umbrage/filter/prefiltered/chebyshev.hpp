@@ -4,7 +4,7 @@
 // cut off the light that it lets through.
 //
 //     float lit = umbrage::chebyshev(moments, receiver, 1e-6f);
-//     lit = umbrage::bleed_cut(lit, 0.2f);
+//     lit = umbrage::reduce_light_bleeding(lit, 0.2f);
 //
 // Before the cut no receiver is darker than the share of depths that light it. Behind casters that lie behind each
 // other it is lighter: at a distance b behind the farther of two that are a apart by up to (a / (a + 2 b))^2.
@@ -24,7 +24,7 @@ namespace umbrage {
 /// @formula         1 - depth where depth is reversed, else depth
 /// @exactness       B, n = 1
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T forward_depth(T depth, T cleared = T(1)) {
+[[nodiscard]] UMBRAGE_INLINE constexpr T to_forward_depth(T depth, T cleared = T(1)) {
     return detail::pick(cleared < T(0.5), T(1) - depth, depth);
 }
 
@@ -55,22 +55,22 @@ template <real T>
 /// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
 /// @exactness         C, n = 5: a division
 template <real T>
-[[nodiscard]] constexpr T bleed_cut(T visibility, T amount) {
+[[nodiscard]] constexpr T reduce_light_bleeding(T visibility, T amount) {
     const bool above = !is_nan(visibility) && !is_nan(amount) && visibility > amount;
     return above ? (visibility - amount) / (T(1) - amount) : T(0);
 }
 
 namespace glsl {
 
-inline constexpr snippet forward_depth{
-    .name = "forward_depth",
+inline constexpr snippet to_forward_depth{
+    .name = "to_forward_depth",
     .summary = "depth that grows with distance",
     .exactness = tier::b,
     .operations = 1,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 )GLSL",
@@ -96,21 +96,21 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
 )GLSL",
 };
 
-inline constexpr snippet bleed_cut{
-    .name = "bleed_cut",
+inline constexpr snippet reduce_light_bleeding{
+    .name = "reduce_light_bleeding",
     .summary = "visibility without its least values",
     .exactness = tier::c,
     .operations = 5,
     .source = R"GLSL(
-// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
-UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+UMBRAGE_HIGHP float umbrage_reduce_light_bleeding(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float stretched = (visibility - amount) / (1.0 - amount);
     return visibility > amount ? stretched : 0.0;
 }
 )GLSL",
 };
 
-inline constexpr const snippet* chebyshev_snippets[]{&forward_depth, &chebyshev, &bleed_cut};
+inline constexpr const snippet* chebyshev_snippets[]{&to_forward_depth, &chebyshev, &reduce_light_bleeding};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -29,10 +29,10 @@ template <real T>
 
 }  // namespace detail
 
-/// chebyshev and bleed_cut in one.
+/// chebyshev and reduce_light_bleeding in one.
 /// @param variance   above 0 by a normal number
 /// @param distance   from the mean to the receiver, no NaN; what is not above 0 is lit
-/// @param amount     as of bleed_cut, 0 to 1/2
+/// @param amount     as of reduce_light_bleeding, 0 to 1/2
 /// @formula          clamp((p - amount) / (1 - amount), 0, 1), p = variance / (variance + max(distance, 0)^2)
 /// @exactness        C, within 2^-19 in a shader: sum and product half an ulp each, of divisions GPUs promise 2.5, and
 ///                   the cut doubles that
@@ -46,9 +46,9 @@ template <real T>
 /// @param held           mean and twice the standard deviation, as encode_deviation has them, filtered; no NaN
 /// @param receiver       depth, biased; NaN, and from 2^20 on on either side: in shadow
 /// @param min_variance   1e-7 or more
-/// @param amount         as of bleed_cut, 0 to 1/2
+/// @param amount         as of reduce_light_bleeding, 0 to 1/2
 /// @formula              chebyshev_hardware(max((held.y / 2)^2, min_variance), d - held.x, amount),
-///                       d = forward_depth(receiver)
+///                       d = to_forward_depth(receiver)
 /// @exactness            C, within 2^-10 in a shader: a distance off by 2^-23 moves p by at most 0.65 2^-23 /
 ///                       sqrt(min_variance), which the cut doubles; and chebyshev_hardware
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
@@ -57,7 +57,7 @@ template <real T>
                                               T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
     const T variance = detail::greater(held.y * held.y * T(0.25), min_variance);
-    return chebyshev_hardware(variance, forward_depth(receiver, cleared) - held.x, amount);
+    return chebyshev_hardware(variance, to_forward_depth(receiver, cleared) - held.x, amount);
 }
 
 /// @param m           mean of encode_evsm2's texels; no NaN
@@ -65,9 +65,9 @@ template <real T>
 ///                    shadow
 /// @param exponent    as of the texels, at most 55
 /// @param deviation   as of decode_evsm2, 0.005 or more
-/// @param amount      as of bleed_cut, 0 to 0.3
+/// @param amount      as of reduce_light_bleeding, 0 to 0.3
 /// @formula           chebyshev_hardware(max(m.y - m.x^2, (deviation w)^2), w - m.x, amount),
-///                    w = warp_depth(forward_depth(clamp(receiver, 0, 1)), exponent)
+///                    w = exponential_warp(to_forward_depth(clamp(receiver, 0, 1)), exponent)
 /// @exactness         C, within 1/64 in a shader. exp2 of y is promised to 3 + 2 |y| ulp; with y's own rounding on
 ///                    either side w is off by e = (5 + 4 exponent) 2^-23 of itself, and p by 0.65 e / deviation + e.
 ///                    Moments fused or not: 2 (2^-24 / deviation^2 + 2^-21). The cut divides both by 1 - amount
@@ -76,7 +76,8 @@ template <real T>
 [[nodiscard]] constexpr T decode_evsm2_hardware(glm::vec<2, T> m, T receiver, T exponent, T deviation, T amount,
                                                 T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T w = warp_depth(forward_depth(glm::clamp(receiver, T(0), T(1)), cleared), exponent), least = deviation * w;
+    const T w = exponential_warp(to_forward_depth(glm::clamp(receiver, T(0), T(1)), cleared), exponent),
+            least = deviation * w;
     return chebyshev_hardware(detail::greater(m.y - m.x * m.x, least * least), w - m.x, amount);
 }
 
@@ -88,8 +89,8 @@ template <real T>
 [[nodiscard]] constexpr T decode_evsm4_hardware(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                 glm::vec<2, T> deviations, T amount, T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T d = forward_depth(glm::clamp(receiver, T(0), T(1)), cleared);
-    const T w = warp_depth(d, exponents.x), n = T(0) - warp_depth(d, T(0) - exponents.y);
+    const T d = to_forward_depth(glm::clamp(receiver, T(0), T(1)), cleared);
+    const T w = exponential_warp(d, exponents.x), n = T(0) - exponential_warp(d, T(0) - exponents.y);
     const T least_w = deviations.x * w, least_n = deviations.y * n;
     const T a = chebyshev_hardware(detail::greater(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
     const T b = chebyshev_hardware(detail::greater(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
@@ -120,7 +121,7 @@ inline constexpr snippet decode_vsm_hardware{
     .summary = "mean and deviation to visibility, the cheapest way",
     .exactness = tier::c,
     .within = 1.0f / 1024.0f,
-    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .needs = list<&chebyshev_hardware, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
@@ -128,7 +129,7 @@ inline constexpr snippet decode_vsm_hardware{
 UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE_HIGHP float receiver,
                                                 UMBRAGE_HIGHP float min_variance, UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float variance = max(held.y * held.y * 0.25, min_variance);
-    UMBRAGE_HIGHP float distance = umbrage_forward_depth(receiver) - held.x;
+    UMBRAGE_HIGHP float distance = umbrage_to_forward_depth(receiver) - held.x;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, distance, amount);
     return abs(receiver) < 1048576.0 ? lit : 0.0;
 }
@@ -140,7 +141,7 @@ inline constexpr snippet decode_evsm2_hardware{
     .summary = "mean of texels of two components to visibility, by the GPU's own exp2",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
-    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .needs = list<&chebyshev_hardware, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
@@ -148,7 +149,7 @@ inline constexpr snippet decode_evsm2_hardware{
 UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                                   UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
                                                   UMBRAGE_HIGHP float amount) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     UMBRAGE_HIGHP float w = exp2(exponent * (d * 2.0 - 1.0));
     UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_HIGHP float variance = max(m.y - m.x * m.x, least * least);
@@ -163,7 +164,7 @@ inline constexpr snippet decode_evsm4_hardware{
     .summary = "mean of texels of four components to visibility, by the GPU's own exp2",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
-    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .needs = list<&chebyshev_hardware, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
@@ -171,7 +172,7 @@ inline constexpr snippet decode_evsm4_hardware{
 UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                                   UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations,
                                                   UMBRAGE_HIGHP float amount) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     UMBRAGE_HIGHP float w = exp2(exponents.x * d);
     UMBRAGE_HIGHP float n = 0.0 - exp2((0.0 - exponents.y) * d);
     UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);

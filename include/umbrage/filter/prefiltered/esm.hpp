@@ -26,30 +26,30 @@ enum class float_store { half, single };
 /// @formula          exp2_polynomial(exponent (2 depth - 1))
 /// @exactness        B, n = 31
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T warp_depth(T depth, T exponent) {
+[[nodiscard]] UMBRAGE_INLINE constexpr T exponential_warp(T depth, T exponent) {
     return exp2_polynomial(exponent * (depth * T(2) - T(1)));
 }
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: 2^exponent
 /// @param exponent  0 to 63
-/// @formula         warp_depth(forward_depth)
+/// @formula         exponential_warp(to_forward_depth)
 /// @exactness       B, n = 36
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T cleared = T(1)) {
-    return warp_depth(forward_depth(saturate(depth, cleared), cleared), exponent);
+    return exponential_warp(to_forward_depth(saturate(depth, cleared), cleared), exponent);
 }
 
 /// @param m         mean of texels; NaN is in shadow
 /// @param receiver  depth, biased; nearer than 0 is lit as 0 is; NaN is in shadow
-/// @return          visibility, 0 to 1, before bleed_cut: at least the lit share, less 2^-20
-/// @formula         min(m 2^(-exponent (2 d - 1)), 1), d = forward_depth(receiver)
+/// @return          visibility, 0 to 1, before reduce_light_bleeding: at least the lit share, less 2^-20
+/// @formula         min(m 2^(-exponent (2 d - 1)), 1), d = to_forward_depth(receiver)
 /// @exactness       B, n = 37;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers,
 ///                  each off by 1.8e-7 of it, and their product
 /// @cite            Annen et al.: Exponential shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T cleared = T(1)) {
-    const T d = forward_depth(receiver, cleared);
-    const T p = m * warp_depth(d, -exponent);
+    const T d = to_forward_depth(receiver, cleared);
+    const T p = m * exponential_warp(d, -exponent);
     const T lit = detail::pick(p < T(1), p, T(1));
     return detail::pick(bool(int(p > T(0)) & int(!is_nan(p)) & int(!is_nan(d))), lit, T(0));
 }
@@ -72,15 +72,15 @@ struct esm_settings {
 
 namespace glsl {
 
-inline constexpr snippet warp_depth{
-    .name = "warp_depth",
+inline constexpr snippet exponential_warp{
+    .name = "exponential_warp",
     .summary = "depth on the scale of exponential shadow maps",
     .exactness = tier::b,
     .operations = 31,
     .needs = list<&exp2_polynomial>,
     .source = R"GLSL(
-// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
-UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_exponential_warp(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
     return umbrage_exp2_polynomial(y);
 }
@@ -92,11 +92,11 @@ inline constexpr snippet encode_esm{
     .summary = "depth to a texel of an exponential shadow map",
     .exactness = tier::b,
     .operations = 36,
-    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
-    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }
 )GLSL",
 };
@@ -106,21 +106,21 @@ inline constexpr snippet decode_esm{
     .summary = "mean of texels of an exponential shadow map to visibility",
     .exactness = tier::b,
     .operations = 37,
-    .needs = list<&forward_depth, &warp_depth>,
+    .needs = list<&to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP float receiver,
                                        UMBRAGE_HIGHP float exponent) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
-    UMBRAGE_HIGHP float p = m * umbrage_warp_depth(d, -exponent);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
+    UMBRAGE_HIGHP float p = m * umbrage_exponential_warp(d, -exponent);
     UMBRAGE_HIGHP float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 )GLSL",
 };
 
-inline constexpr const snippet* esm_snippets[]{&warp_depth, &encode_esm, &decode_esm};
+inline constexpr const snippet* esm_snippets[]{&exponential_warp, &encode_esm, &decode_esm};
 
 }  // namespace glsl
 }  // namespace umbrage

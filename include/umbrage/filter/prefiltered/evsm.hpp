@@ -21,23 +21,23 @@ namespace umbrage {
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does
 /// @param exponent  0 to 55
-/// @formula         (w, w^2), w = warp_depth(forward_depth)
+/// @formula         (w, w^2), w = exponential_warp(to_forward_depth)
 /// @exactness       B, n = 73
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T cleared = T(1)) {
-    const T w = warp_depth(forward_depth(saturate(depth, cleared), cleared), exponent);
+    const T w = exponential_warp(to_forward_depth(saturate(depth, cleared), cleared), exponent);
     return {w, w * w};
 }
 
 /// @param depth      clamped to [0, 1]; NaN counts as far, as a cleared texel does
 /// @param exponents  of the growing power and of the falling one, 0 to 55
-/// @formula          (w, w^2, n, n^2), w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y)
+/// @formula          (w, w^2, n, n^2), w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y)
 /// @exactness        B, n = 73
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents,
                                                                    T cleared = T(1)) {
-    const T d = forward_depth(saturate(depth, cleared), cleared);
-    const T w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y);
+    const T d = to_forward_depth(saturate(depth, cleared), cleared);
+    const T w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y);
     return {w, w * w, n, n * n};
 }
 
@@ -56,16 +56,16 @@ template <real T>
 /// @param receiver   depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
 /// @param deviation  least standard deviation, as a part of the receiver's power: a least deviation of depth times
 ///                   2 ln(2) exponent, as make_evsm has it
-/// @return           visibility before bleed_cut: at least the lit share, less chebyshev's error
-/// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(saturate(receiver)))
+/// @return           visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
+/// @formula          chebyshev(m, w, (deviation w)^2), w = exponential_warp(to_forward_depth(saturate(receiver)))
 /// @exactness        C, n = 229: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
 ///                   powers
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
                                                       T cleared = T(1)) {
-    const T d = forward_depth(saturate(receiver, cleared), cleared);
-    const T lit = detail::warped_chebyshev(m, warp_depth(d, exponent), deviation);
+    const T d = to_forward_depth(saturate(receiver, cleared), cleared);
+    const T lit = detail::warped_chebyshev(m, exponential_warp(d, exponent), deviation);
     return detail::pick(is_nan(receiver), T(0), lit);
 }
 
@@ -73,15 +73,15 @@ template <real T>
 /// @param receiver    depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
 /// @param exponents   as of the texels
 /// @param deviations  least standard deviations, as parts of the receiver's powers
-/// @return            visibility before bleed_cut: at least the lit share, less chebyshev's error
+/// @return            visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
 /// @formula           the lesser of decode_evsm2's for either power
 /// @exactness         C, n = 229: a division
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                       glm::vec<2, T> deviations, T cleared = T(1)) {
-    const T d = forward_depth(saturate(receiver, cleared), cleared);
-    const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), warp_depth(d, exponents.x), deviations.x);
-    const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -warp_depth(d, -exponents.y), deviations.y);
+    const T d = to_forward_depth(saturate(receiver, cleared), cleared);
+    const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), exponential_warp(d, exponents.x), deviations.x);
+    const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -exponential_warp(d, -exponents.y), deviations.y);
     return detail::pick(is_nan(receiver), T(0), detail::pick(a < b, a, b));
 }
 
@@ -129,11 +129,11 @@ inline constexpr snippet encode_evsm2{
     .summary = "depth to a texel of two components",
     .exactness = tier::b,
     .operations = 73,
-    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return vec2(w, w * w);
 }
 )GLSL",
@@ -144,13 +144,13 @@ inline constexpr snippet encode_evsm4{
     .summary = "depth to a texel of four components",
     .exactness = tier::b,
     .operations = 73,
-    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec2 exponents) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
-    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_exponential_warp(d, -exponents.y);
     return vec4(w, w * w, n, n * n);
 }
 )GLSL",
@@ -161,15 +161,15 @@ inline constexpr snippet decode_evsm2{
     .summary = "mean of texels of two components to visibility",
     .exactness = tier::c,
     .operations = 229,
-    .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
+    .needs = list<&chebyshev, &to_forward_depth, &saturate, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponent);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
@@ -183,16 +183,16 @@ inline constexpr snippet decode_evsm4{
     .summary = "mean of texels of four components to visibility",
     .exactness = tier::c,
     .operations = 229,
-    .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
+    .needs = list<&chebyshev, &to_forward_depth, &saturate, &exponential_warp>,
     .source = R"GLSL(
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
-    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
-    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_exponential_warp(d, -exponents.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least_variance = least * least;
     UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);

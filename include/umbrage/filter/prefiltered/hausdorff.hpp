@@ -69,7 +69,7 @@ template <real T>
 template <real T>
 [[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
     return detail::lit_within(decode_msm(b, receiver, bias, cleared), bias_moments(b, bias),
-                              forward_depth(receiver, cleared));
+                              to_forward_depth(receiver, cleared));
 }
 
 namespace glsl {
@@ -114,14 +114,14 @@ inline constexpr snippet decode_msm_hausdorff{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&bias_moments, &decode_msm, &forward_depth, &hausdorff_share>,
+    .needs = list<&bias_moments, &decode_msm, &to_forward_depth, &hausdorff_share>,
     .source = R"GLSL(
 // umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
 UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver,
                                                  UMBRAGE_HIGHP vec2 bias) {
     UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
     UMBRAGE_HIGHP float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
     UMBRAGE_HIGHP float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
     UMBRAGE_HIGHP float lit = share >= 0.0 ? 1.0 - share : plain;

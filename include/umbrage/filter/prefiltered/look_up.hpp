@@ -22,7 +22,7 @@ namespace umbrage {
 
 /// Mean of the four texels around a point.
 /// @param fetch     ivec2 texel -> float or vector; called four times, texels may lie one outside the map
-/// @param coord     in texels, the first texel's centre is (0.5, 0.5); inside texel space
+/// @param coord     in texels, the first texel's center is (0.5, 0.5); inside texel space
 /// @return          as fetch
 /// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
 ///                  of texels below 2^111
@@ -45,13 +45,13 @@ namespace detail {
 template <real T, class Fetch, class Decode>
 [[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T cleared, const Decode& decode) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
-    return is_compared(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
+    return in_filter_domain(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
 }
 
 }  // namespace detail
 
 /// @param fetch      ivec2 texel -> texel of encode_vsm, blurred
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @formula          decode_vsm of fetch_bilinear
 /// @exactness        C, n = 109: a division
@@ -94,12 +94,13 @@ template <real T, class Fetch>
                            [&](glm::vec<4, T> b) { return decode_msm(b, receiver, bias, cleared); });
 }
 
-/// As vsm, of texels of turn_moments(encode_msm).
+/// As vsm, of texels of to_optimized_moments(encode_msm).
 /// @exactness        C: within 1/64 in a shader
 template <real T, class Fetch>
-[[nodiscard]] T msm_turned(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
-    return detail::look_up(fetch, coord, receiver, cleared,
-                           [&](glm::vec<4, T> o) { return decode_msm(turn_moments_back(o), receiver, bias, cleared); });
+[[nodiscard]] T msm_unorm16(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
+    return detail::look_up(fetch, coord, receiver, cleared, [&](glm::vec<4, T> o) {
+        return decode_msm(from_optimized_moments(o), receiver, bias, cleared);
+    });
 }
 
 /// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
@@ -120,7 +121,7 @@ inline constexpr snippet fetch_bilinear{
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first centre at (0.5, 0.5)
+//   coord  in texels, first center at (0.5, 0.5)
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
@@ -144,14 +145,14 @@ inline constexpr snippet vsm{
     .summary = "visibility from a map of encode_vsm's texels",
     .exactness = tier::c,
     .operations = 109,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_vsm>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_vsm>,
     .source = R"GLSL(
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -164,14 +165,14 @@ inline constexpr snippet esm{
     .summary = "visibility from a map of encode_esm's texels",
     .exactness = tier::b,
     .operations = 49,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_esm>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_esm>,
     .source = R"GLSL(
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -184,15 +185,15 @@ inline constexpr snippet evsm2{
     .summary = "visibility from a map of encode_evsm2's texels",
     .exactness = tier::c,
     .operations = 139,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_evsm2>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm2>,
     .source = R"GLSL(
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
                                   UMBRAGE_HIGHP float deviation) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -205,15 +206,15 @@ inline constexpr snippet evsm4{
     .summary = "visibility from a map of encode_evsm4's texels",
     .exactness = tier::c,
     .operations = 139,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_evsm4>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm4>,
     .source = R"GLSL(
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
                                   UMBRAGE_HIGHP vec2 deviations) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -227,14 +228,14 @@ inline constexpr snippet msm{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_msm>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm>,
     .source = R"GLSL(
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -242,22 +243,22 @@ UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 )GLSL",
 };
 
-inline constexpr snippet msm_turned{
-    .name = "msm_turned",
+inline constexpr snippet msm_unorm16{
+    .name = "msm_unorm16",
     .summary = "visibility from a map of turned moments",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_msm, &turn_moments_back>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm, &from_optimized_moments>,
     .source = R"GLSL(
-// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+// umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
-UMBRAGE_HIGHP float umbrage_msm_turned(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
-    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
 }
 )GLSL",
@@ -269,14 +270,14 @@ inline constexpr snippet msm_hausdorff{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&is_compared, &fetch_bilinear, &decode_msm_hausdorff>,
+    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm_hausdorff>,
     .source = R"GLSL(
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -284,8 +285,8 @@ UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 )GLSL",
 };
 
-inline constexpr const snippet* look_up_snippets[]{&fetch_bilinear, &vsm, &esm,        &evsm2,
-                                                   &evsm4,          &msm, &msm_turned, &msm_hausdorff};
+inline constexpr const snippet* look_up_snippets[]{&fetch_bilinear, &vsm, &esm,         &evsm2,
+                                                   &evsm4,          &msm, &msm_unorm16, &msm_hausdorff};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -7,8 +7,8 @@
 //
 // Four channels of 16 bits hold them turned, so that each has its whole range:
 //
-//     glm::vec4 held = umbrage::turn_moments(texel);
-//     float visibility = umbrage::decode_msm(umbrage::turn_moments_back(held), receiver, umbrage::msm_bias_16);
+//     glm::vec4 held = umbrage::to_optimized_moments(texel);
+//     float visibility = umbrage::decode_msm(umbrage::from_optimized_moments(held), receiver, umbrage::msm_bias_16);
 //
 // Of all distributions with the same moments the one that shadows the receiver least has three depths, one of which is
 // the receiver's: what of the other two lies before it is shadow.
@@ -30,13 +30,13 @@ inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< of four channels of 16 
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1, 1, 1)
 /// @param cleared   1, or 0 where depth is reversed
-/// @formula         (z, z^2, z^3, z^4), z = 2 forward_depth - 1
+/// @formula         (z, z^2, z^3, z^4), z = 2 to_forward_depth - 1
 /// @exactness       B, n = 15
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015; on [-1, 1]: Peters et al.: Improved moment shadow
 ///                  maps for translucent occluders, soft shadows and single scattering, JCGT 2017
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_msm(T depth, T cleared = T(1)) {
-    const T z = forward_depth(saturate(depth, cleared), cleared) * T(2) - T(1);
+    const T z = to_forward_depth(saturate(depth, cleared), cleared) * T(2) - T(1);
     const T square = z * z;
     return {z, square, square * z, square * square};
 }
@@ -46,15 +46,15 @@ template <real T>
 /// @exactness       B, n = 4
 /// @cite            Peters et al., JCGT 2017
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments(glm::vec<4, T> b) {
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> to_optimized_moments(glm::vec<4, T> b) {
     return {(b.x * T(0.75) - b.z) * T(2) + T(0.5), (b.y - b.w) * T(4), (b.x * T(2.25) - b.z) * T(0.384900182f) + T(0.5),
             (b.y + b.w) * T(0.5)};
 }
 
-/// @formula         the inverse of turn_moments
+/// @formula         the inverse of to_optimized_moments
 /// @exactness       B, n = 5;  off by at most 2^-22 of what was turned, of rounding on both ways
 template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments_back(glm::vec<4, T> o) {
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> from_optimized_moments(glm::vec<4, T> o) {
     const T x = o.x - T(0.5), z = o.z - T(0.5), eighth = o.y * T(0.125);
     return {z * T(1.73205078f) - x * T(0.333333343f), o.w + eighth, z * T(1.29903817f) - x * T(0.75), o.w - eighth};
 }
@@ -148,7 +148,7 @@ template <real T>
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
 [[nodiscard]] T decode_msm(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
-    const T d = forward_depth(receiver, cleared);
+    const T d = to_forward_depth(receiver, cleared);
     const glm::vec<4, T> m = bias_moments(b, bias);
     const T x = detail::moment_depth(d) - m.x;
     return detail::lit_by_atoms(moment_atoms(m, x), x, d);
@@ -161,25 +161,25 @@ inline constexpr snippet encode_msm{
     .summary = "depth to its first four powers on [-1, 1]",
     .exactness = tier::b,
     .operations = 15,
-    .needs = list<&saturate, &forward_depth>,
+    .needs = list<&saturate, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     UMBRAGE_HIGHP float square = z * z;
     return vec4(z, square, square * z, square * square);
 }
 )GLSL",
 };
 
-inline constexpr snippet turn_moments{
-    .name = "turn_moments",
+inline constexpr snippet to_optimized_moments{
+    .name = "to_optimized_moments",
     .summary = "four moments to four channels of 16 bits",
     .exactness = tier::b,
     .operations = 4,
     .source = R"GLSL(
-// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
-UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
+// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+UMBRAGE_HIGHP vec4 umbrage_to_optimized_moments(UMBRAGE_HIGHP vec4 b) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (b.y - b.w) * 4.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
@@ -189,14 +189,14 @@ UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
 )GLSL",
 };
 
-inline constexpr snippet turn_moments_back{
-    .name = "turn_moments_back",
+inline constexpr snippet from_optimized_moments{
+    .name = "from_optimized_moments",
     .summary = "four channels of 16 bits to four moments",
     .exactness = tier::b,
     .operations = 5,
     .source = R"GLSL(
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+UMBRAGE_HIGHP vec4 umbrage_from_optimized_moments(UMBRAGE_HIGHP vec4 o) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
     UMBRAGE_HIGHP float eighth = o.y * 0.125;
@@ -262,13 +262,13 @@ inline constexpr snippet decode_msm{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&bias_moments, &forward_depth, &moment_atoms>,
+    .needs = list<&bias_moments, &to_forward_depth, &moment_atoms>,
     .source = R"GLSL(
 // umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
 //   b  mean of texels;   receiver  depth, biased
 //   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
 UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
     UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
@@ -282,8 +282,8 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
 )GLSL",
 };
 
-inline constexpr const snippet* msm_snippets[]{&encode_msm,   &turn_moments, &turn_moments_back,
-                                               &moment_atoms, &bias_moments, &decode_msm};
+inline constexpr const snippet* msm_snippets[]{&encode_msm,   &to_optimized_moments, &from_optimized_moments,
+                                               &moment_atoms, &bias_moments,         &decode_msm};
 
 }  // namespace glsl
 }  // namespace umbrage

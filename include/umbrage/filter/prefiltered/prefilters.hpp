@@ -97,21 +97,23 @@ struct msm {
 };
 
 /// Four moments for channels of 16 bits.
-struct msm_turned {
+struct msm_unorm16 {
     using texel = glm::vec4;
-    static constexpr literal name = "msm_turned";
-    static constexpr const glsl::snippet *writer = &glsl::turn_moments, *snippet = &glsl::msm_turned;
+    static constexpr literal name = "msm_unorm16";
+    static constexpr const glsl::snippet *writer = &glsl::to_optimized_moments, *snippet = &glsl::msm_unorm16;
 
     glm::vec2 bias = msm_bias_16;
     depth_direction direction = depth_direction::forward;
 
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
-        return turn_moments(encode_msm(depth, cleared_depth(direction)));
+        return to_optimized_moments(encode_msm(depth, cleared_depth(direction)));
     }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel o, float receiver) const {
-        return decode_msm(turn_moments_back(o), receiver, bias, cleared_depth(direction));
+        return decode_msm(from_optimized_moments(o), receiver, bias, cleared_depth(direction));
     }
-    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel o) const { return bias_moments(turn_moments_back(o), bias); }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel o) const {
+        return bias_moments(from_optimized_moments(o), bias);
+    }
 };
 
 /// Four moments in floats of 32 bits, of depths known to lie in [0, 1].
@@ -134,6 +136,6 @@ struct msm_hausdorff {
     }
 };
 
-using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff>;
+using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
 }  // namespace umbrage::prefilters

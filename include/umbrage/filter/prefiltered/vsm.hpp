@@ -23,11 +23,11 @@ namespace umbrage {
 
 /// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1)
 /// @param cleared   1, or 0 where depth is reversed
-/// @formula         (d, d^2), d = forward_depth
+/// @formula         (d, d^2), d = to_forward_depth
 /// @exactness       B, n = 3
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T cleared = T(1)) {
-    const T d = forward_depth(saturate(depth, cleared), cleared);
+    const T d = to_forward_depth(saturate(depth, cleared), cleared);
     return {d, d * d};
 }
 
@@ -35,13 +35,13 @@ template <real T>
 /// @param receiver       depth, biased; NaN is in shadow
 /// @param min_variance   >= 0; 1e-6 for floats of 32 bits: variance that a slope or rounding brings, without which
 ///                       surfaces shadow themselves
-/// @return               visibility before bleed_cut: at least the lit share, less chebyshev's error
-/// @formula              chebyshev(m, forward_depth(receiver), min_variance)
+/// @return               visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
+/// @formula              chebyshev(m, to_forward_depth(receiver), min_variance)
 /// @exactness            C, n = 13: a division
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T cleared = T(1)) {
-    return chebyshev(m, forward_depth(receiver, cleared), min_variance);
+    return chebyshev(m, to_forward_depth(receiver, cleared), min_variance);
 }
 
 /// @param m         mean of the depths, mean of their squares
@@ -83,11 +83,11 @@ inline constexpr snippet encode_vsm{
     .summary = "depth to a texel of a variance shadow map",
     .exactness = tier::b,
     .operations = 3,
-    .needs = list<&saturate, &forward_depth>,
+    .needs = list<&saturate, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     return vec2(d, d * d);
 }
 )GLSL",
@@ -98,13 +98,13 @@ inline constexpr snippet decode_vsm{
     .summary = "mean of texels of a variance shadow map to visibility",
     .exactness = tier::c,
     .operations = 13,
-    .needs = list<&chebyshev, &forward_depth>,
+    .needs = list<&chebyshev, &to_forward_depth>,
     .source = R"GLSL(
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
 UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                        UMBRAGE_HIGHP float min_variance) {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 )GLSL",
 };

@@ -45,7 +45,7 @@ template <real T, class Fetch>
 /// Share of the texels in a box that can be lit, from their four moments.
 /// @param table      as make_moment_table makes it
 /// @param size       of the table in texels: (2 (w + 1), h + 1) of a map of w x h
-/// @param coord      receiver in texels of the map, the first texel's centre is (0.5, 0.5); outside texel space, or
+/// @param coord      receiver in texels of the map, the first texel's center is (0.5, 0.5); outside texel space, or
 ///                   NaN: lit; what of the box lies outside the map does not count
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
@@ -59,14 +59,14 @@ template <real T, class Fetch>
 [[nodiscard]] T summed_moments(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius,
                                glm::vec<2, T> bias, T cleared = T(1)) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
     const int reach = static_cast<int>(radius);
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
                      end = detail::lesser(texel + reach + 1, map);
     const glm::vec<4, T> turned = box_mean<T>(table, size.x / 2, first, end) * T(1.0 / 65535.0);
-    return decode_msm(turn_moments_back(turned), receiver, bias, cleared);
+    return decode_msm(from_optimized_moments(turned), receiver, bias, cleared);
 }
 
 namespace glsl {
@@ -108,22 +108,22 @@ inline constexpr snippet summed_moments{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&is_compared, &box_mean, &turn_moments_back, &decode_msm>,
+    .needs = list<&in_filter_domain, &box_mean, &from_optimized_moments, &decode_msm>,
     .source = R"GLSL(
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                            UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_is_compared(coord, receiver);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
     UMBRAGE_HIGHP vec4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
-    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
     return compared ? lit : 1.0;
 }
 )GLSL",

@@ -129,7 +129,7 @@ private:
     static UMBRAGE_INLINE std::int32_t greatest(std::int32_t a, std::int32_t b) { return greatest_of{}(a, b); }
 };
 
-/// Of filters that are known by their reach alone: texels whose centres lie so far from a receiver, an axis, and how
+/// Of filters that are known by their reach alone: texels whose centers lie so far from a receiver, an axis, and how
 /// many they can be.
 struct reached_texels {
     int reach;  ///< in 1/256 texel

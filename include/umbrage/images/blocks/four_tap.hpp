@@ -33,7 +33,7 @@ struct four_tap_blocks {
                 x += floor_magnitude(at.r.x(i) + offset.x, float(space));
                 y += floor_magnitude(at.r.y(i) + offset.y, float(space));
             }
-            at.compared[i] = x < space && y < space ? ~beyond_far_mask<test::forward>(at.r.z(i)) : 0;
+            at.compared[i] = x < space && y < space ? ~beyond_far_plane_mask<test::forward>(at.r.z(i)) : 0;
         }
     }
     template <class Isa>

@@ -13,7 +13,7 @@
 namespace umbrage::detail {
 
 /// Taps that are receivers' own texels, clamped to the map: floor(coord + offset), as four taps have it. That is not
-/// floor(coord) + offset where the sum rounds up to a whole number: filters over neighbours move the texel instead.
+/// floor(coord) + offset where the sum rounds up to a whole number: filters over neighbors move the texel instead.
 struct placed_tap {
     alignas(64) std::int32_t offsets[block];
 

@@ -12,8 +12,8 @@
 
 namespace umbrage::detail {
 
-/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
-/// same, so that both neighbours are in the map and one load gets them.
+/// A position clamped to the middles of the map's border texels has the same neighbors and weights that add up to the
+/// same, so that both neighbors are in the map and one load gets them.
 template <depth_direction Direction, class Map>
 struct pcf_2x2_blocks {
     using test = block_test<Direction>;

@@ -33,7 +33,7 @@ struct soft_blocks : disc_blocks<Direction> {
     static constexpr bool filters_again = std::is_same_v<Filter, filters::pcss>;
 
     float per_code;
-    std::int32_t least, widest;
+    std::int32_t min_radius, max_radius;
 
     /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
     static disc_table turned_points(const Filter& filter) {
@@ -42,8 +42,8 @@ struct soft_blocks : disc_blocks<Direction> {
     soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
         : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
           per_code(filter.softness.per_code),
-          least(static_cast<std::int32_t>(filter.softness.least)),
-          widest(static_cast<std::int32_t>(filter.softness.widest)) {}
+          min_radius(static_cast<std::int32_t>(filter.softness.min_radius)),
+          max_radius(static_cast<std::int32_t>(filter.softness.max_radius)) {}
 
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
@@ -57,8 +57,8 @@ private:
     }
     [[nodiscard]] UMBRAGE_INLINE std::int32_t radius(std::int32_t apart) const {
         const std::int32_t r = floor_int(static_cast<float>(apart) * per_code);
-        const std::int32_t above = r > least ? r : least;
-        return above < widest ? above : widest;
+        const std::int32_t above = r > min_radius ? r : min_radius;
+        return above < max_radius ? above : max_radius;
     }
 
     /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.

@@ -43,9 +43,9 @@ struct block_test {
     [[nodiscard]] static UMBRAGE_INLINE std::int32_t none_lit(float receiver, float least, float greatest) {
         return forward ? std::int32_t(receiver > greatest) : std::int32_t(receiver < least) & number_mask(least);
     }
-    /// is_compared as a mask.
+    /// in_filter_domain as a mask.
     [[nodiscard]] static UMBRAGE_INLINE std::int32_t compared(float x, float y, float z) {
-        return texel_space_mask(x, y) & ~beyond_far_mask<forward>(z);
+        return texel_space_mask(x, y) & ~beyond_far_plane_mask<forward>(z);
     }
 };
 
@@ -91,7 +91,7 @@ UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
     for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
 }
 
-/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbours of two rows.
+/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbors of two rows.
 template <class Map>
 struct loaded_texels;
 
@@ -182,7 +182,7 @@ template <class T>
 /// The last texel of a map that a receiver can ask for whose texels number less than `space`.
 [[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
 
-/// Starts to fetch the texels of a block, of which neighbours mostly share a cache line. Where a block starts on
+/// Starts to fetch the texels of a block, of which neighbors mostly share a cache line. Where a block starts on
 /// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
 /// receivers come to that lie askew to the map.
 template <class T>

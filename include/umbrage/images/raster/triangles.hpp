@@ -65,10 +65,10 @@ public:
         }
     }
 
-    /// Rows first <= y < second whose centres are above the lowest corner, the highest included: a bottom edge and
-    /// a corner cover no centre that they meet.
+    /// Rows first <= y < second whose centers are above the lowest corner, the highest included: a bottom edge and
+    /// a corner cover no center that they meet.
     [[nodiscard]] static UMBRAGE_INLINE glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) {
-        return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
+        return {(lowest + subtexels - center) >> 8, ((highest - center) >> 8) + 1};
     }
 
     [[nodiscard]] bool full() const { return count == block; }
@@ -116,8 +116,8 @@ public:
     [[nodiscard]] UMBRAGE_INLINE double corner_depth(int k, int i) const { return z_[k][i]; }
     /// Of the plane there, which may differ by as much as its slopes were rounded.
     [[nodiscard]] UMBRAGE_INLINE double depth_at_corner(int k, int i) const {
-        return depth(i, 0, 0) + dx_[i] * 0x1p-8 * (x_[k][i] - first_x[i] * subtexels - centre) +
-               dy_[i] * 0x1p-8 * (y_[k][i] - first_y[i] * subtexels - centre);
+        return depth(i, 0, 0) + dx_[i] * 0x1p-8 * (x_[k][i] - first_x[i] * subtexels - center) +
+               dy_[i] * 0x1p-8 * (y_[k][i] - first_y[i] * subtexels - center);
     }
 
     /// Whether 32 bits hold the edges over the triangle's bounds, and some texels beyond.
@@ -127,7 +127,7 @@ public:
     [[nodiscard]] UMBRAGE_INLINE std::int64_t edge_at(int k, int i, int x, int y) const {
         const std::int64_t step_x = right[k][i], step_y = up[k][i];
         const std::int64_t e =
-            step_y * (y * subtexels + centre - y_[k][i]) + step_x * (x * subtexels + centre - x_[k][i]);
+            step_y * (y * subtexels + center - y_[k][i]) + step_x * (x * subtexels + center - x_[k][i]);
         return (e - is_open(step_x, step_y)) >> 8;
     }
 
@@ -162,7 +162,7 @@ public:
 
 private:
     using bits = std::int64_t;
-    static constexpr int centre = subtexels / 2;
+    static constexpr int center = subtexels / 2;
 
     /// Right edges, and bottom ones.
     template <class Int>
@@ -191,9 +191,9 @@ private:
             const std::int32_t bottom = lesser(lesser(ay, by), cy), top = greater(greater(ay, by), cy);
             width_[i] = end - left, height_[i] = top - bottom;
             side_[i] = greater(end - left, top - bottom);
-            const std::int32_t from_x = greater((left + subtexels - 1 - centre) >> 8, min_x);
-            const std::int32_t from_y = greater((bottom + subtexels - centre) >> 8, min_y);
-            const std::int32_t to_x = lesser((end - centre) >> 8, max_x), to_y = lesser((top - centre) >> 8, max_y);
+            const std::int32_t from_x = greater((left + subtexels - 1 - center) >> 8, min_x);
+            const std::int32_t from_y = greater((bottom + subtexels - center) >> 8, min_y);
+            const std::int32_t to_x = lesser((end - center) >> 8, max_x), to_y = lesser((top - center) >> 8, max_y);
             first_x[i] = from_x, first_y[i] = from_y;
             columns[i] = to_x - from_x + 1;
             rows[i] = (to_y - from_y + 1) & -std::int32_t((to_x >= from_x) & (to_y >= from_y));
@@ -230,8 +230,8 @@ private:
             const std::int32_t step_x = ((ay[i] - by[i]) ^ turn) - turn, step_y = ((bx[i] - ax[i]) ^ turn) - turn;
             right[k][i] = step_x, up[k][i] = step_y;
             per_row[k][i] = -1.0f / static_cast<float>(step_y | std::int32_t(step_y == 0));
-            const double e = double(step_y) * (first_y[i] * subtexels + centre - ay[i]) +
-                             double(step_x) * (first_x[i] * subtexels + centre - ax[i]) - is_open(step_x, step_y);
+            const double e = double(step_y) * (first_y[i] * subtexels + center - ay[i]) +
+                             double(step_x) * (first_x[i] * subtexels + center - ax[i]) - is_open(step_x, step_y);
             // As an integer, of which the lower 51 bits are kept, without its last 8.
             edge[k][i] = static_cast<std::int32_t>(bit_cast<std::uint64_t>(e + 0x1.8p52) >> 8);
         }
@@ -275,8 +275,8 @@ private:
             units = one_over(unit);
             const double dx = truncate(slope_x * units) * unit;
             const double dy = truncate(slope_y * units) * unit;
-            depth_[i] = truncate(z0 * units) * unit + dx * (first_x[i] * subtexels + centre - x_[0][i]) +
-                        dy * (first_y[i] * subtexels + centre - y_[0][i]);
+            depth_[i] = truncate(z0 * units) * unit + dx * (first_x[i] * subtexels + center - x_[0][i]) +
+                        dy * (first_y[i] * subtexels + center - y_[0][i]);
             dx_[i] = dx * subtexels;
             dy_[i] = dy * subtexels;
             z_[0][i] = z0, z_[1][i] = z1, z_[2][i] = z2;

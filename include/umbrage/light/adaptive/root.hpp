@@ -4,7 +4,7 @@
 // is while the camera moves, and so does every page in it.
 //
 //     auto root = umbrage::make_page_root<double>(
-//         {.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box, .clip = clip});
+//         {.direction = d, .center = {0, 0, 0}, .side = 2400, .scene = box, .clip = clip});
 //     auto light = umbrage::page_light(root, {.level = 5, .x = 12, .y = 9}, {});  // for the depth pass of that page
 //     glm::mat4 to_root(umbrage::page_matrix(root));                              // for page_coordinate
 //
@@ -27,7 +27,7 @@ template <real T = float>
 struct page_root {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as pages turn with it
-    glm::vec<3, T> centre{T(0)};                   ///< of the square, world
+    glm::vec<3, T> center{T(0)};                   ///< of the square, world
     T side = T(1000);                              ///< world units, > 0
     bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers, what depth spans
     clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
@@ -41,14 +41,14 @@ struct page_size {
     [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
 };
 
-/// @throws std::invalid_argument  zero or non-finite direction, centre or scene that are not finite, a side not above
+/// @throws std::invalid_argument  zero or non-finite direction, center or scene that are not finite, a side not above
 ///                                0, and what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
     constexpr auto function = "make_page_root";
     detail::require_given(root.clip, function);
     detail::require_given(root.scene, function, "scene");
-    detail::require(detail::all_finite(root.centre), function, "centre", "must be finite");
+    detail::require(detail::all_finite(root.center), function, "center", "must be finite");
     detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
     light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),
                                                  root.clip.hand, function, ""),
@@ -56,13 +56,13 @@ template <real T = float>
                               root.clip};
     const glm::dmat4 frame = detail::light_frame(light.view, root.clip.hand);
     const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
-    const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.centre), 1)), half(double(root.side) / 2);
+    const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.center), 1)), half(double(root.side) / 2);
     const double spare =
         (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // nothing lies on a plane
     light.projection = detail::orthographic(middle - half, middle + half, depths.low.z - spare, depths.high.z + spare,
-                                            root.clip, function, "centre and side", "scene");
+                                            root.clip, function, "center and side", "scene");
     const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), root.clip};
-    return detail::checked(cast, function, "centre, side and scene");
+    return detail::checked(cast, function, "center, side and scene");
 }
 
 /// World to the root's coordinates, 1 .. 2, and depth.

@@ -113,7 +113,7 @@ template <real T>
 ///                |tc| is the greatest: along the next face's axis
 /// @exactness     A: whole numbers
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_neighbour(glm::vec<3, T> texel, T size) {
+[[nodiscard]] constexpr glm::vec<3, T> cube_neighbor(glm::vec<3, T> texel, T size) {
     const T u = texel.x * T(2) + T(1) - size, v = texel.y * T(2) + T(1) - size;
     const bool beyond_u = (u > size) || (u < -size);
     const bool beyond_v = (v > size) || (v < -size);
@@ -225,15 +225,15 @@ UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGH
 )GLSL",
 };
 
-inline constexpr snippet cube_neighbour{
-    .name = "cube_neighbour",
+inline constexpr snippet cube_neighbor{
+    .name = "cube_neighbor",
     .summary = "texel beyond an edge of a cube's face",
     .exactness = tier::a,
     .needs = list<&cube_plane, &cube_point>,
     .source = R"GLSL(
-// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
 //   texel  (s, t, face), whole numbers;   size  of a face, in texels
-UMBRAGE_HIGHP vec3 umbrage_cube_neighbour(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
+UMBRAGE_HIGHP vec3 umbrage_cube_neighbor(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = abs(uv.x) > size;
     bool beyond_v = abs(uv.y) > size;
@@ -258,8 +258,8 @@ UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP flo
 )GLSL",
 };
 
-inline constexpr const snippet* cube_map_snippets[]{&cube_face,       &cube_view_z,    &cube_plane,     &cube_point,
-                                                    &cube_coordinate, &cube_direction, &cube_neighbour, &cube_tile};
+inline constexpr const snippet* cube_map_snippets[]{&cube_face,       &cube_view_z,    &cube_plane,    &cube_point,
+                                                    &cube_coordinate, &cube_direction, &cube_neighbor, &cube_tile};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -23,26 +23,26 @@
 namespace umbrage {
 
 template <real T = float>
-struct lamp {
+struct light_position {
     glm::vec<3, T> position{T(0)};
     T z_near = T(0.1);  ///< its own size, > 0: casters closer to it along the axis may be left out
 };
 
 namespace detail {
 
-/// A lamp's own view of receivers, and of casters what may stand before them.
-struct lamp_view {
+/// A light's own view of receivers, and of casters what may stand before them.
+struct axis_view {
     glm::dmat4 frame;        ///< world to x, y and the distance along the axis
     double least, farthest;  ///< distances of receivers
     polyhedron casters;
 };
 
 template <real T>
-[[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
+[[nodiscard]] axis_view view_of(const light_position<T>& from, const warp_fit<T>& fit, const char* function) {
     require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near",
             "must be above 0, finite and no denormal");
     const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
-    lamp_view v;
+    axis_view v;
     v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "from.position"), fit.clip.hand);
     const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(*fit.receivers));
     const auto [low, high] = extent_of(receivers);
@@ -59,7 +59,7 @@ template <real T>
 
 /// Falls back to what is right before the light where there are no receivers.
 template <real T>
-[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const lamp<T>& from, const char* function) {
+[[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const light_position<T>& from, const char* function) {
     if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
     const double closest(from.z_near);
     return completed(fit,
@@ -70,9 +70,9 @@ template <real T>
                      function);
 }
 
-/// What the lamp sees along its axis: x, y, depth and w, of no warp.
+/// What the light sees along its axis: x, y, depth and w, of no warp.
 template <class = on_use>
-[[nodiscard]] glm::dmat4 map_along(const lamp_view& v) {
+[[nodiscard]] glm::dmat4 map_along(const axis_view& v) {
     glm::dmat4 inverse(1.0);  // of the distance: depth and w
     inverse[2] = {0, 0, 0, 1};
     inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
@@ -80,7 +80,7 @@ template <class = on_use>
 }
 
 template <real T>
-[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
+[[nodiscard]] warped_light<T> unwarped(const axis_view& v, const warp_fit<T>& fit, const char* function) {
     const auto light = refit(map_along(v), fit, v.casters, function);
     require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a map");
     return *light;

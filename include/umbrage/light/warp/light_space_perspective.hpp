@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Light-space perspective: a directional light's map, warped by a perspective across the light, whose centre lies some
+// Light-space perspective: a directional light's map, warped by a perspective across the light, whose center lies some
 // way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
@@ -35,7 +35,7 @@ namespace detail {
 struct along_view {
     glm::dmat4 frame;  ///< world to x, y and depth
     glm::dvec3 first;  ///< x of the camera, least y of the receivers, and the camera's depth or that of the receivers
-                       ///< next to it: planes through the warp's zero of depth and its centre need no bias, and those
+                       ///< next to it: planes through the warp's zero of depth and its center need no bias, and those
                        ///< near to them little
     double length;     ///< from their least y to the greatest
     double camera_y;
@@ -77,7 +77,7 @@ template <real T>
 /// Near the best on a ground.
 [[nodiscard]] inline double default_distance(const along_view& v) { return std::sqrt(v.closest * optimal_distance(v)); }
 
-/// A perspective along y whose centre lies n before the first receivers; in front of them it changes no length.
+/// A perspective along y whose center lies n before the first receivers; in front of them it changes no length.
 /// @return    world to x, y, depth and w
 /// @formula   (x, y, z) / (1 + y / n) about `first`
 template <class = on_use>
@@ -99,7 +99,7 @@ template <real T>
 
 }  // namespace detail
 
-/// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
+/// How far before the receivers the center of a light-space perspective has to lie so that the greatest error over the
 /// camera's frustum is least: the mildest warp that is of use.
 /// @return      world units along the camera's view, across the light, > 0; infinite where both look one way
 /// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
@@ -116,7 +116,7 @@ template <real T = float>
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
-/// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
+/// @param distance   n, from the warp's center to the receivers next to it, world units along the camera's view across
 ///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
 ///                   2^-14 of the receivers' extent, which stands for what is less. By default
 ///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: near the best

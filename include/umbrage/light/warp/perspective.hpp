@@ -188,7 +188,7 @@ template <real T, class Instead>
     if (middle) {
         const auto [low, high] = extent_of(in_ndc);
         const glm::dvec4 y = to_ndc * glm::dvec4(frame[0][1], frame[1][1], frame[2][1], 0.0);
-        // as the stand-in has it on the camera's axis, of a lamp amid the receivers: both turn alike
+        // as the stand-in has it on the camera's axis, of a light amid the receivers: both turn alike
         const glm::dvec3 up = glm::dvec3(y) - light.w * 0.5 * (low + high) * y.w;
         const auto [rays, opening] = along_rays(image, *middle, up, in_ndc, function);
         const double share = share_of_stand_in(opening);
@@ -240,10 +240,11 @@ template <real T = float>
 /// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
 ///                                what fit_perspective complains of
 template <real T>
-[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const lamp<T>& from, T slide = T(1)) {
+[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const light_position<T>& from,
+                                                   T slide = T(1)) {
     constexpr auto function = "fit_perspective";
     const warp_fit<T> whole = detail::completed(fit, from, function);
-    const detail::lamp_view own = detail::view_of(from, whole, function);
+    const detail::axis_view own = detail::view_of(from, whole, function);
     return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), whole, own.casters, slide, function,
                                   own.frame, detail::map_along(own),
                                   [&] { return detail::unwarped(own, whole, function); });

@@ -138,10 +138,10 @@ template <real T = float>
 ///                                what fit_plane_optimal complains of
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
-                                                               const lamp<T>& from) {
+                                                               const light_position<T>& from) {
     constexpr auto function = "fit_plane_optimal";
     const warp_fit<T> whole = detail::completed(fit, from, function);
-    const detail::lamp_view own = detail::view_of(from, whole, function);
+    const detail::axis_view own = detail::view_of(from, whole, function);
     return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), whole, own.casters, plane, function);
 }
 

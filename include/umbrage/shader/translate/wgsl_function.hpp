@@ -216,10 +216,10 @@ private:
             variables.push_back({name, type + "[" + size + "]"});
             return "var " + name + ": array<" + name_of(type) + ", " + size + ">";
         }
-        const bool initialised = next() == "=";
-        const bool changes = is_assigned(name) || !initialised;
+        const bool initialized = next() == "=";
+        const bool changes = is_assigned(name) || !initialized;
         std::string text = std::string(constant ? "const " : changes ? "var " : "let ") + name + ": " + name_of(type);
-        if (initialised) {
+        if (initialized) {
             text += expect("=");
             const value v = spaced_expression();
             if (v.type != type && !v.literal) reject(type + " " + name + " of " + v.type);

@@ -18,10 +18,11 @@ void add_bias_acne_free(std::vector<entry>& all) {
                    .classes = slopes,
                    .twin = [](const sample& s) { return vec4(acne_free_disc_bias(vec2(s.x[0]), s.x[0].z, s.x[0].w)); },
                    .call = "vec4(umbrage_acne_free_disc_bias(vec2(x0.x, x0.y), x0.z, x0.w))"});
-    all.push_back({.primitive = &glsl::detachment,
-                   .classes = slopes,
-                   .twin = [](const sample& s) { return vec4(detachment(s.x[0].w, vec2(s.x[0]), s.x[0].z)); },
-                   .call = "vec4(umbrage_detachment(x0.w, vec2(x0.x, x0.y), x0.z))"});
+    all.push_back(
+        {.primitive = &glsl::peter_panning_distance,
+         .classes = slopes,
+         .twin = [](const sample& s) { return vec4(peter_panning_distance(s.x[0].w, vec2(s.x[0]), s.x[0].z)); },
+         .call = "vec4(umbrage_peter_panning_distance(x0.w, vec2(x0.x, x0.y), x0.z))"});
 }
 
 }  // namespace parity

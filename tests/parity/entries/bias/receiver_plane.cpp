@@ -24,23 +24,23 @@ void add_bias_receiver_plane(std::vector<entry>& all) {
                           s.x[0] = vec4(beside[i / 2 % 3], 0.0f, depth, 0.0f);
                           s.x[1] = vec4(0.0f, beside[i / 6 % 3], depth, 0.0f);
                       }});
-    all.push_back({.primitive = &glsl::receiver_plane,
+    all.push_back({.primitive = &glsl::receiver_plane_slope,
                    .classes = pixels,
-                   .twin = [](const sample& s) { return vec4(receiver_plane(vec3(s.x[0]), vec3(s.x[1])), 0.0f); },
-                   .call = "vec4(umbrage_receiver_plane(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), 0.0)"});
+                   .twin = [](const sample& s) { return vec4(receiver_plane_slope(vec3(s.x[0]), vec3(s.x[1])), 0.0f); },
+                   .call = "vec4(umbrage_receiver_plane_slope(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), 0.0)"});
 
     auto stored =
         spread({{0, 1}, {0, 99}, {0, 99}, {0, 0}, {-0.1f, 0.1f}, {-0.1f, 0.1f}, {0, 99}, {0, 99}}, values_and_limits());
     for (const auto direction : {depth_direction::forward, depth_direction::reversed})
-        all.push_back({.primitive = &glsl::on_receiver_plane,
+        all.push_back({.primitive = &glsl::apply_receiver_plane,
                        .variant = direction == depth_direction::forward ? "" : "reversed",
                        .classes = stored,
                        .twin =
                            [far = cleared_depth(direction)](const sample& s) {
-                               return vec4(on_receiver_plane(s.x[0].x, vec2(s.x[1]), vec2(s.x[0].y, s.x[0].z),
-                                                             vec2(s.x[1].z, s.x[1].w), far));
+                               return vec4(apply_receiver_plane(s.x[0].x, vec2(s.x[1]), vec2(s.x[0].y, s.x[0].z),
+                                                                vec2(s.x[1].z, s.x[1].w), far));
                            },
-                       .call = "vec4(umbrage_on_receiver_plane(x0.x, vec2(x1.x, x1.y), vec2(x0.y, x0.z), "
+                       .call = "vec4(umbrage_apply_receiver_plane(x0.x, vec2(x1.x, x1.y), vec2(x0.y, x0.z), "
                                "vec2(x1.z, x1.w)))",
                        .map_kind = {.direction = direction}});
 }

@@ -38,8 +38,10 @@ void add_core_compare(std::vector<entry>& all) {
                  .call = "vec4(umbrage_" + std::string(one.name) + "(x0.x) ? 1.0 : 0.0)",
                  .map_kind = {.direction = direction}});
     };
-    at_far(glsl::beyond_far, [](float receiver, comparison is_lit) { return beyond_far(receiver, is_lit); });
-    at_far(glsl::before_far, [](float receiver, comparison is_lit) { return before_far(receiver, is_lit); });
+    at_far(glsl::beyond_far_plane,
+           [](float receiver, comparison is_lit) { return beyond_far_plane(receiver, is_lit); });
+    at_far(glsl::within_far_plane,
+           [](float receiver, comparison is_lit) { return within_far_plane(receiver, is_lit); });
     all.push_back({.primitive = &glsl::compare,
                    .classes = pairs(),
                    .twin = [](const sample& s) { return vec4(umbrage::compare(s.x[0].x, s.x[0].y)); },

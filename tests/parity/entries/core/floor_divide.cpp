@@ -35,10 +35,10 @@ std::vector<input_class> fractions() {
 
 void add_core_floor_divide(std::vector<entry>& all) {
     using namespace umbrage;
-    all.push_back({.primitive = &glsl::mend_quotient,
+    all.push_back({.primitive = &glsl::correct_quotient,
                    .classes = fractions(),
-                   .twin = [](const sample& s) { return vec4(mend_quotient(s.x[0].z, s.x[0].x, s.x[0].y)); },
-                   .call = "vec4(umbrage_mend_quotient(x0.z, x0.x, x0.y))"});
+                   .twin = [](const sample& s) { return vec4(correct_quotient(s.x[0].z, s.x[0].x, s.x[0].y)); },
+                   .call = "vec4(umbrage_correct_quotient(x0.z, x0.x, x0.y))"});
     all.push_back({.primitive = &glsl::floor_divide,
                    .classes = fractions(),
                    .twin = [](const sample& s) { return vec4(floor_divide(s.x[0].x, s.x[0].y)); },

@@ -56,14 +56,15 @@ void add_core_texel_space(std::vector<entry>& all) {
                    .call = "vec4(umbrage_inside_texel_space(vec2(x0.x, x0.y)) ? 1.0 : 0.0)",
                    .maps = depth_maps()});
     for (const auto direction : {depth_direction::forward, depth_direction::reversed})
-        all.push_back({.primitive = &glsl::is_compared,
+        all.push_back({.primitive = &glsl::in_filter_domain,
                        .variant = direction == depth_direction::forward ? "" : "reversed",
                        .classes = receivers(),
                        .twin =
                            [direction](const sample& s) {
-                               return vec4(is_compared(vec2(s.x[0]), s.x[0].z, comparison{direction}) ? 1.0f : 0.0f);
+                               return vec4(in_filter_domain(vec2(s.x[0]), s.x[0].z, comparison{direction}) ? 1.0f
+                                                                                                           : 0.0f);
                            },
-                       .call = "vec4(umbrage_is_compared(vec2(x0.x, x0.y), x0.z) ? 1.0 : 0.0)",
+                       .call = "vec4(umbrage_in_filter_domain(vec2(x0.x, x0.y), x0.z) ? 1.0 : 0.0)",
                        .maps = depth_maps(),
                        .map_kind = {.direction = direction}});
     for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {

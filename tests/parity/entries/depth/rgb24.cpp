@@ -10,7 +10,7 @@ namespace {
 
 using namespace umbrage;
 
-/// At the ends of a code's interval: the centre of one of 24 bits is no float.
+/// At the ends of a code's interval: the center of one of 24 bits is no float.
 input_class at_ends(input_class kind) {
     return {kind.name, [fill = kind.fill](std::uint64_t i, random& r, sample& s) {
                 fill(i, r, s);

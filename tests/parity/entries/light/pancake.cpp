@@ -18,10 +18,10 @@ void add_light_pancake(std::vector<entry>& all) {
             position(i, r, s);
             s.x[1].x = static_cast<float>(r.below(3)) - 1.0f;
         };
-    all.push_back({.primitive = &umbrage::glsl::pancaked,
+    all.push_back({.primitive = &umbrage::glsl::pancake,
                    .classes = positions,
-                   .twin = [](const sample& s) { return umbrage::pancaked(s.x[0], s.x[1].x); },
-                   .call = "umbrage_pancaked(x0, x1.x)"});
+                   .twin = [](const sample& s) { return umbrage::pancake(s.x[0], s.x[1].x); },
+                   .call = "umbrage_pancake(x0, x1.x)"});
 }
 
 }  // namespace parity

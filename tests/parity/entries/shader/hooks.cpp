@@ -146,7 +146,7 @@ void add_levels(std::vector<entry>& all) {
         const auto level = [](vec4 value) { return level_rg<11>(vec2(value)); };
         entry e = bound("levels", as, packed_maps(), level);
         e.twin = [as, level](const sample& s) {
-            return twins(as, fetch_as(as, s, level), s, receiver_rg<11>(s.x[0].z, centre<float>), less_equal_scaled{});
+            return twins(as, fetch_as(as, s, level), s, receiver_rg<11>(s.x[0].z, center<float>), less_equal_scaled{});
         };
         e.call = calls(as, "umbrage_receiver_rg11(x0.z, 0.5)");
         e.also.push_back(&glsl::receiver_rg<11>);

@@ -24,7 +24,7 @@ vec4 any_sides(std::uint64_t i, random& r) {
 std::vector<input_class> overlays() {
     std::vector<input_class> classes{
         {"random", [](std::uint64_t i, random& r, sample& s) { s.x[0] = any_sides(i, r); }},
-        {"centres on edges of texels",
+        {"centers on edges of texels",
          [](std::uint64_t i, random& r, sample& s) {
              const int odd = 3 + 2 * r.below(100), of_both = 1 + r.below(20);
              const int pixel = (odd * (1 + 2 * r.below(of_both)) - 1) / 2;

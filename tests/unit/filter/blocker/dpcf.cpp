@@ -20,14 +20,14 @@ void check_hardened() {
         for (int k = 0; k <= Points; ++k) {
             const double x = double(k) / Points, s = 2 * x < 1 ? -1 : 1, q = ratio / 256.0;
             const double hard = 0.5 + s / 2 * (1 - std::pow(1 - std::abs(2 * x - 1), 3));
-            const float ours = hardened<Points>(static_cast<float>(k), static_cast<float>(ratio));
+            const float ours = hardened_kernel<Points>(static_cast<float>(k), static_cast<float>(ratio));
             CHECK(std::abs(double(ours) - (hard * (1 - q) + x * q)) < 1e-12);
-            if (k > 0) CHECK(ours >= hardened<Points>(static_cast<float>(k - 1), static_cast<float>(ratio)));
-            CHECK(hardened<Points>(double(k), double(ratio)) == double(ours));
+            if (k > 0) CHECK(ours >= hardened_kernel<Points>(static_cast<float>(k - 1), static_cast<float>(ratio)));
+            CHECK(hardened_kernel<Points>(double(k), double(ratio)) == double(ours));
         }
-    CHECK(hardened<Points>(0.0f, 0.0f) == 0.0f);
-    CHECK(hardened<Points>(Points / 2.0f, 0.0f) == 0.5f);
-    CHECK(hardened<Points>(float(Points), 0.0f) == 1.0f);
+    CHECK(hardened_kernel<Points>(0.0f, 0.0f) == 0.0f);
+    CHECK(hardened_kernel<Points>(Points / 2.0f, 0.0f) == 0.5f);
+    CHECK(hardened_kernel<Points>(float(Points), 0.0f) == 1.0f);
 }
 
 template <int Points>
@@ -39,17 +39,17 @@ void check_dpcf(bool forward) {
     for (int i = 0; i < 4000; ++i) {
         const whole::receiver r = all.draw();
         const whole::softness light = all.light();
-        const std::int64_t z = whole::code(double(r.depth), forward), widest = light.radius(z);
-        const whole::search found = whole::blockers<Points>(all.map, r, widest, forward);
+        const std::int64_t z = whole::code(double(r.depth), forward), max_radius = light.radius(z);
+        const whole::search found = whole::blockers<Points>(all.map, r, max_radius, forward);
         const std::int64_t k = found.count, mean = k ? found.sum / k : 0;
-        const std::int64_t q = widest ? 256 * light.radius(z - mean) / widest : 0;
+        const std::int64_t q = max_radius ? 256 * light.radius(z - mean) / max_radius : 0;
         const std::int64_t u = 2 * k - n, d = n - std::abs(u), steep = n * n * n - d * d * d;
         const std::int64_t dark = (n * n * n + (u < 0 ? -steep : steep)) * (256 - q) + 2 * n * n * k * q;
         const double share = 1.0 - double(dark) / double(512 * n * n * n);
-        wrong += double(dpcf<Points>(clamped(all.map), r.coord, r.depth, light.values(), glm::vec2(r.turn), is_lit)) !=
-                 share;
+        wrong += double(dpcf<Points>(clamped(all.map), r.coord, r.depth, light.values(), glm::vec2(r.rotation),
+                                     is_lit)) != share;
         wrong += dpcf<Points>(clamped(all.map), glm::dvec2(r.coord), double(r.depth), glm::dvec3(light.values()),
-                              glm::dvec2(r.turn), is_lit) != share;
+                              glm::dvec2(r.rotation), is_lit) != share;
         partly += k > 0 && k < n;
     }
     CHECK(wrong == 0);
@@ -58,7 +58,7 @@ void check_dpcf(bool forward) {
 
 }  // namespace
 
-TEST_CASE("hardened: the cited kernel for every count and ratio, monotone, 0, 1/2 and 1 where they were") {
+TEST_CASE("hardened_kernel: the cited kernel for every count and ratio, monotone, 0, 1/2 and 1 where they were") {
     check_hardened<8>();
     check_hardened<16>();
     check_hardened<32>();
@@ -73,25 +73,25 @@ TEST_CASE("dpcf: search, mean, ratio and kernel in whole numbers, in float and d
 }
 
 TEST_CASE("dpcf: a disc's share where the penumbra is the disc, and the cases without one") {
-    const glm::vec2 turn = disc_turn(glm::vec2(1, 3)), middle(8.3f, 9.1f);
+    const glm::vec2 rotation = disc_rotation(glm::vec2(1, 3)), middle(8.3f, 9.1f);
     const glm::vec3 soft(0.25f, 0.0f, 64.0f), always_widest(0.25f, 64.0f, 64.0f);
     whole::cases all;
     for (int i = 0; i < 500; ++i) {
         const whole::receiver r = all.draw();
-        const glm::vec2 turned(r.turn);
+        const glm::vec2 turned(r.rotation);
         CHECK(dpcf<16>(clamped(all.map), r.coord, r.depth, always_widest, turned) ==
               disc<16>(clamped(all.map), r.coord, r.depth, 4.0f, turned));
     }
-    CHECK(dpcf<16>([](glm::ivec2) { return 1.0f; }, middle, 0.9f, soft, turn) == 1.0f);
-    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.9f, soft, turn) == 0.0f);
-    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.0f, soft, turn) == 1.0f);
-    CHECK(dpcf<16>([](glm::ivec2) { return 0.0f; }, middle, 0.5f, soft, turn) == 0.0f);
-    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.9f, glm::vec3(0.0f), turn) == 0.0f);
-    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, nan32, soft, turn) == 0.0f);
-    CHECK(dpcf<16>([](glm::ivec2) { return nan32; }, middle, 0.5f, soft, turn) == 0.0f);
-    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 1.5f, soft, turn) == 1.0f);
+    CHECK(dpcf<16>([](glm::ivec2) { return 1.0f; }, middle, 0.9f, soft, rotation) == 1.0f);
+    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.9f, soft, rotation) == 0.0f);
+    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.0f, soft, rotation) == 1.0f);
+    CHECK(dpcf<16>([](glm::ivec2) { return 0.0f; }, middle, 0.5f, soft, rotation) == 0.0f);
+    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.9f, glm::vec3(0.0f), rotation) == 0.0f);
+    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, nan32, soft, rotation) == 0.0f);
+    CHECK(dpcf<16>([](glm::ivec2) { return nan32; }, middle, 0.5f, soft, rotation) == 0.0f);
+    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 1.5f, soft, rotation) == 1.0f);
     for (const glm::vec2 outside : coordinates_outside_texel_space())
-        CHECK(dpcf<16>([](glm::ivec2) { return 0.0f; }, outside, 0.9f, soft, turn) == 1.0f);
+        CHECK(dpcf<16>([](glm::ivec2) { return 0.0f; }, outside, 0.9f, soft, rotation) == 1.0f);
     for (const filters::dpcf& filter : filters::dpcf::values) {
         static_assert(known_filter<filters::dpcf>);
         CHECK(filter.snippet->name == filter.name);

@@ -20,14 +20,14 @@ using namespace umbrage;
 
 namespace {
 
-const glm::vec2 one_turn = disc_turn(glm::vec2(2, 1)), one_place(8.3f, 9.1f);
+const glm::vec2 one_turn = disc_rotation(glm::vec2(2, 1)), one_place(8.3f, 9.1f);
 
 /// The texels under a disc's points, in real numbers; nothing where one is too near a border to tell.
 template <int Points>
-std::vector<double> depths_under(const image<float>& map, glm::dvec2 coord, glm::dvec2 turn, double radius) {
+std::vector<double> depths_under(const image<float>& map, glm::dvec2 coord, glm::dvec2 rotation, double radius) {
     std::vector<double> found;
     bool told = true;
-    in_reals::for_each_point<Points>(coord, turn, radius, [&](glm::dvec2 at) {
+    in_reals::for_each_point<Points>(coord, rotation, radius, [&](glm::dvec2 at) {
         const glm::dvec2 within = at - glm::floor(at);
         told &= std::min(within.x, within.y) > 1e-4 && std::max(within.x, within.y) < 1 - 1e-4;
         found.push_back(double(texel_at(map, std::int64_t(std::floor(at.x)), std::int64_t(std::floor(at.y)))));
@@ -44,13 +44,13 @@ void check_sampled_search(bool forward) {
     for (int i = 0; i < 4000; ++i) {
         const whole::receiver r = all.draw();
         const float radius = static_cast<float>(i % 97) / 8.0f;
-        const auto under = depths_under<Points>(all.map, r.coord, r.turn, double(radius));
+        const auto under = depths_under<Points>(all.map, r.coord, r.rotation, double(radius));
         if (under.empty()) continue;
         double count = 0, sum = 0;
         for (const double stored : under)
             if (forward ? stored < double(r.depth) : stored > double(r.depth)) count += 1, sum += stored;
         const auto found =
-            blockers_hardware<Points>(clamped(all.map), r.coord, r.depth, radius, glm::vec2(r.turn), is_lit);
+            blockers_hardware<Points>(clamped(all.map), r.coord, r.depth, radius, glm::vec2(r.rotation), is_lit);
         wrong += double(found.x) != count || !(std::abs(double(found.y) - sum) <= 1e-6 * Points);
         ++checked, several += count > 1 && count < Points;
     }
@@ -109,9 +109,9 @@ TEST_CASE("pcss_radius: its bound is that of a mean off by 4 ulp") {
 }
 
 TEST_CASE("pcss_hardware: a straight edge's penumbra is as wide as rays to an area light see it") {
-    check_widths([](const image<float>& map, glm::vec3 at, glm::vec3 soft, glm::vec2 turn, comparison is_lit) {
+    check_widths([](const image<float>& map, glm::vec3 at, glm::vec3 soft, glm::vec2 rotation, comparison is_lit) {
         const float biased = is_lit.towards_light(at.z, 0x1p-15f);
-        return pcss_hardware<16>(clamped(map), glm::vec2(at), biased, soft, turn, is_lit);
+        return pcss_hardware<16>(clamped(map), glm::vec2(at), biased, soft, rotation, is_lit);
     });
 }
 
@@ -145,15 +145,16 @@ TEST_CASE("pcss_hardware: search, mean, radius and filter in real numbers, withi
     int partly = 0;
     for (int i = 0; i < 4000; ++i) {
         const whole::receiver r = all.draw();
-        if (!is_compared(r.coord, r.depth)) continue;
+        if (!in_filter_domain(r.coord, r.depth)) continue;
         const double depth = double(r.depth);
-        const auto under = depths_under<16>(all.map, r.coord, r.turn, radius_of(depth));
+        const auto under = depths_under<16>(all.map, r.coord, r.rotation, radius_of(depth));
         double count = 0, sum = 0;
         for (const double stored : under)
             if (stored < depth) count += 1, sum += stored;
         if (count == 0) continue;
-        const double share = in_reals::lit_share<16>(all.map, r.coord, depth, radius_of(depth - sum / count), r.turn);
-        const float ours = pcss_hardware<16>(clamped(all.map), r.coord, r.depth, soft, glm::vec2(r.turn));
+        const double share =
+            in_reals::lit_share<16>(all.map, r.coord, depth, radius_of(depth - sum / count), r.rotation);
+        const float ours = pcss_hardware<16>(clamped(all.map), r.coord, r.depth, soft, glm::vec2(r.rotation));
         worst = std::max(worst, std::abs(double(ours) - share));
         partly += share > 0 && share < 1;
     }

@@ -36,7 +36,7 @@ void check_search(bool forward) {
         const auto radius = static_cast<std::int64_t>(all.random() % (i % 4 ? 96 : 4096));
         const whole::search wanted = whole::blockers<Points>(all.map, r, radius, forward);
         const glm::vec2 found = blockers<Points>(clamped(all.map), glm::floor(r.coord * 256.0f), r.depth,
-                                                 static_cast<float>(radius), glm::vec2(r.turn), is_lit);
+                                                 static_cast<float>(radius), glm::vec2(r.rotation), is_lit);
         wrong += found != glm::vec2(static_cast<float>(wanted.count), static_cast<float>(wanted.sum));
         some += wanted.count > 0 && wanted.count < Points;
     }
@@ -61,7 +61,7 @@ TEST_CASE("distance_code: 16 bits from the near plane on in either direction, an
         CHECK(distance_code(near, comparison{depth_direction::reversed}) == 0.0f);
 }
 
-TEST_CASE("penumbra: whole numbers, from least to widest") {
+TEST_CASE("penumbra: whole numbers, from min_radius to max_radius") {
     whole::cases all;
     for (int i = 0; i < 5000; ++i) {
         const whole::softness light = all.light();
@@ -85,10 +85,11 @@ TEST_CASE("blocker, blockers: counts and sums of codes by brute force, NaN a blo
     CHECK(blocker(fetch, {2, 0}, nan32) == glm::vec2(1.0f, 65535.0f));
 }
 
-TEST_CASE("make_softness: similar triangles, for spots and directional lights of every convention") {
+TEST_CASE("make_penumbra_params: similar triangles, for spots and directional lights of every convention") {
     const auto check = [](const light_space<float>& light, double size, double blocker, double receiver,
                           double texels) {
-        const light_softness soft = make_softness(make_light_units(light, light_map_size), static_cast<float>(size));
+        const penumbra_params soft =
+            make_penumbra_params(make_light_units(light, light_map_size), static_cast<float>(size));
         const double apart = 65536.0 * (depth_at(light, receiver) - depth_at(light, blocker));
         CHECK(std::abs(apart * double(soft.per_code) / 16.0 / texels - 1.0) < 1.0 / 256 + 1e-4);
         int exponent = 0;
@@ -118,21 +119,21 @@ TEST_CASE("make_softness: similar triangles, for spots and directional lights of
     }
 }
 
-TEST_CASE("make_softness: lights of no size, of any size, and what it refuses") {
+TEST_CASE("make_penumbra_params: lights of no size, of any size, and what it refuses") {
     const glm::vec2 units(0.01f, 0.5f);
-    CHECK(make_softness(units, 0.0f).per_code == 0.0f);
-    CHECK(make_softness(units, 1e-30f).per_code == 0.0f);
-    CHECK(make_softness(units, 1e30f).per_code == 4096.0f);
-    CHECK(make_softness(glm::vec2(0.0625f, 0.25f), 2.0f).per_code == 1.0f / 32.0f);
-    const light_softness soft = make_softness(glm::dvec2(units), 0.1, 0.5, 7.03);
-    CHECK(soft.least == 8.0f);
-    CHECK(soft.widest == 112.0f);
+    CHECK(make_penumbra_params(units, 0.0f).per_code == 0.0f);
+    CHECK(make_penumbra_params(units, 1e-30f).per_code == 0.0f);
+    CHECK(make_penumbra_params(units, 1e30f).per_code == 4096.0f);
+    CHECK(make_penumbra_params(glm::vec2(0.0625f, 0.25f), 2.0f).per_code == 1.0f / 32.0f);
+    const penumbra_params soft = make_penumbra_params(glm::dvec2(units), 0.1, 0.5, 7.03);
+    CHECK(soft.min_radius == 8.0f);
+    CHECK(soft.max_radius == 112.0f);
     CHECK(glm::vec3(soft) == glm::vec3(soft.per_code, 8.0f, 112.0f));
     for (const float bad : {-1.0f, inf32, nan32})
-        CHECK_THROWS_AS((void)make_softness(units, bad), std::invalid_argument);
+        CHECK_THROWS_AS((void)make_penumbra_params(units, bad), std::invalid_argument);
     for (const float bad : {0.0f, -1.0f, inf32, nan32})
-        CHECK_THROWS_AS((void)make_softness(glm::vec2(0.01f, bad), 0.1f), std::invalid_argument);
+        CHECK_THROWS_AS((void)make_penumbra_params(glm::vec2(0.01f, bad), 0.1f), std::invalid_argument);
     for (const float bad : {-1.0f, 17.0f, nan32})
-        CHECK_THROWS_AS((void)make_softness(units, 0.1f, bad, 16.0f), std::invalid_argument);
-    CHECK_THROWS_AS((void)make_softness(units, 0.1f, 1.0f, 256.0f), std::invalid_argument);
+        CHECK_THROWS_AS((void)make_penumbra_params(units, 0.1f, bad, 16.0f), std::invalid_argument);
+    CHECK_THROWS_AS((void)make_penumbra_params(units, 0.1f, 1.0f, 256.0f), std::invalid_argument);
 }

@@ -30,7 +30,7 @@ inline double penumbra_width(const std::vector<double>& seen) {
 }
 
 /// A half plane before a plane, both square to the light's axis: what filter and rays see of the lamp along a line.
-/// @param pcss   (map, where the receiver is, softness, turn, is_lit) -> visibility
+/// @param pcss   (map, where the receiver is, softness, rotation, is_lit) -> visibility
 template <class Pcss>
 void check_width(const Pcss& pcss, const light_space<float>& light, double lamp, double blocker, double receiver) {
     constexpr int size = 256, steps = size * 4;
@@ -44,7 +44,8 @@ void check_width(const Pcss& pcss, const light_space<float>& light, double lamp,
         for (int x = 0; x < size / 2; ++x) map[{x, y}] = placed(0, blocker).z;
     const bool spot = light.projection[2][3] != 0.0f;
     const double left = double(placed(-1, receiver).x), texels = double(placed(1, receiver).x) - left;  // in 2 units
-    const auto soft = make_softness(make_light_units(light, {size, size}), static_cast<float>(lamp), 0.0f, 64.0f);
+    const auto soft =
+        make_penumbra_params(make_light_units(light, {size, size}), static_cast<float>(lamp), 0.0f, 64.0f);
     const comparison is_lit{light.clip.direction};
     std::vector<double> filtered, traced;
     for (int i = 0; i < steps; ++i) {
@@ -52,7 +53,7 @@ void check_width(const Pcss& pcss, const light_space<float>& light, double lamp,
         const glm::vec3 at = placed(x, receiver);
         double share = 0;
         for (int pixel = 0; pixel < 16; ++pixel) {
-            const glm::vec2 turned = disc_turn(glm::vec2(float(pixel % 4), float(pixel / 4)));
+            const glm::vec2 turned = disc_rotation(glm::vec2(float(pixel % 4), float(pixel / 4)));
             share += double(pcss(map, at, glm::vec3(soft), turned, is_lit)) / 16.0;
         }
         filtered.push_back(share);

@@ -22,21 +22,21 @@ inline std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a >= 0
 
 /// A light's size as L / 2^j sixteenths of a texel a code.
 struct softness {
-    std::int64_t digits, shift, least, widest;
+    std::int64_t digits, shift, min_radius, max_radius;
 
     [[nodiscard]] std::int64_t radius(std::int64_t apart) const {
-        return std::clamp(floor_divide(apart * digits, std::int64_t(1) << shift), least, widest);
+        return std::clamp(floor_divide(apart * digits, std::int64_t(1) << shift), min_radius, max_radius);
     }
     [[nodiscard]] glm::vec3 values() const {
-        return {std::ldexp(static_cast<float>(digits), -static_cast<int>(shift)), static_cast<float>(least),
-                static_cast<float>(widest)};
+        return {std::ldexp(static_cast<float>(digits), -static_cast<int>(shift)), static_cast<float>(min_radius),
+                static_cast<float>(max_radius)};
     }
 };
 
 struct receiver {
     glm::vec2 coord;
     float depth;
-    glm::ivec2 turn;
+    glm::ivec2 rotation;
 };
 
 struct search {
@@ -55,7 +55,8 @@ void for_each_tap(const image<float>& map, const receiver& r, std::int64_t radiu
     const auto x = static_cast<std::int64_t>(std::floor(double(r.coord.x) * 256));
     const auto y = static_cast<std::int64_t>(std::floor(double(r.coord.y) * 256));
     for (const glm::ivec2 p : umbrage::disc_points<Points>) {
-        const std::int64_t turned_x = r.turn.x * p.x - r.turn.y * p.y, turned_y = r.turn.y * p.x + r.turn.x * p.y;
+        const std::int64_t turned_x = r.rotation.x * p.x - r.rotation.y * p.y,
+                           turned_y = r.rotation.y * p.x + r.rotation.x * p.y;
         use(texel_at(map, floor_divide(x + floor_divide(turned_x * radius, 64), 256),
                      floor_divide(y + floor_divide(turned_y * radius, 64), 256)));
     }
@@ -85,12 +86,13 @@ struct cases {
         const float x = xs[random() % xs.size()], y = ys[random() % ys.size()];
         const float depth = static_cast<float>(random() % 65) / 64.0f;
         const auto pixel_x = static_cast<float>(random() % 4), pixel_y = static_cast<float>(random() % 4);
-        return {{x, y}, depth, glm::ivec2(umbrage::disc_turn(glm::vec2(pixel_x, pixel_y)))};
+        return {{x, y}, depth, glm::ivec2(umbrage::disc_rotation(glm::vec2(pixel_x, pixel_y)))};
     }
     [[nodiscard]] softness light() {
         const auto digits = static_cast<std::int64_t>(random() % 256), shift = static_cast<std::int64_t>(random() % 16);
-        const auto least = static_cast<std::int64_t>(random() % 32), more = static_cast<std::int64_t>(random() % 200);
-        return {digits, shift, least, random() % 8 ? least + more : 4095};
+        const auto min_radius = static_cast<std::int64_t>(random() % 32),
+                   more = static_cast<std::int64_t>(random() % 200);
+        return {digits, shift, min_radius, random() % 8 ? min_radius + more : 4095};
     }
 };
 

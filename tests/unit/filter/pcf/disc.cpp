@@ -101,13 +101,13 @@ void check_against_whole_numbers() {
             const std::int64_t y = tap_along(double(coord.y), s * p.x + c * p.y, sixteenths);
             lit += receiver <= static_cast<float>(texel_at(map, x, y));
         }
-        const glm::vec2 turn = disc_turn(glm::vec2(float(v / 4), float(v % 4)));
-        wrong += turn != glm::vec2(float(c), float(s));
+        const glm::vec2 rotation = disc_rotation(glm::vec2(float(v / 4), float(v % 4)));
+        wrong += rotation != glm::vec2(float(c), float(s));
         const float radius = static_cast<float>(sixteenths) / 16.0f;
         const float share = static_cast<float>(lit) / Points;
-        wrong += disc<Points>(clamped(map), coord, receiver, radius, turn) != share;
-        wrong += disc<Points>(clamped(map), glm::dvec2(coord), double(receiver), double(radius), glm::dvec2(turn)) !=
-                 double(share);
+        wrong += disc<Points>(clamped(map), coord, receiver, radius, rotation) != share;
+        wrong += disc<Points>(clamped(map), glm::dvec2(coord), double(receiver), double(radius),
+                              glm::dvec2(rotation)) != double(share);
         partly += lit > 0 && lit < Points;
     }
     CHECK(wrong == 0);
@@ -116,29 +116,29 @@ void check_against_whole_numbers() {
 
 }  // namespace
 
-TEST_CASE("disc: brute force in whole numbers, every turn, radii up to the greatest, in float and double") {
+TEST_CASE("disc: brute force in whole numbers, every rotation, radii up to the greatest, in float and double") {
     check_against_whole_numbers<8>();
     check_against_whole_numbers<16>();
     check_against_whole_numbers<32>();
 }
 
-TEST_CASE("disc_turn: 16 turns in each 4 x 4 pixels, no two alike, of nearly one length and spacing") {
+TEST_CASE("disc_rotation: 16 turns in each 4 x 4 pixels, no two alike, of nearly one length and spacing") {
     for (const glm::ivec2 corner : {glm::ivec2(0, 0), glm::ivec2(-8, 4), glm::ivec2(1916, 1077), glm::ivec2(3, -2)}) {
         std::set<std::pair<float, float>> turns;
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 4; ++x) {
-                const glm::vec2 turn = disc_turn(glm::vec2(corner + glm::ivec2(x, y)));
-                CHECK(turn == disc_turn(glm::vec2(corner + glm::ivec2(x, y)) + 0.5f));
-                const double length = std::hypot(double(turn.x), double(turn.y));
+                const glm::vec2 rotation = disc_rotation(glm::vec2(corner + glm::ivec2(x, y)));
+                CHECK(rotation == disc_rotation(glm::vec2(corner + glm::ivec2(x, y)) + 0.5f));
+                const double length = std::hypot(double(rotation.x), double(rotation.y));
                 CHECK(length <= 64.0);
                 CHECK(length >= 63.6);
-                const double sixteenths = std::atan2(double(turn.y), double(turn.x)) / (pi / 8);
+                const double sixteenths = std::atan2(double(rotation.y), double(rotation.x)) / (pi / 8);
                 CHECK(std::abs(sixteenths - std::round(sixteenths)) < 0.02);
-                turns.insert({turn.x, turn.y});
+                turns.insert({rotation.x, rotation.y});
             }
         CHECK(turns.size() == 16);
     }
-    for (const glm::vec2 far : coordinates_outside_texel_space()) CHECK(disc_turn(far) == glm::vec2(64.0f, 0.0f));
+    for (const glm::vec2 far : coordinates_outside_texel_space()) CHECK(disc_rotation(far) == glm::vec2(64.0f, 0.0f));
 }
 
 TEST_CASE("disc_radius: sixteenths of a texel, rounded down, and what is out of range") {
@@ -157,18 +157,18 @@ TEST_CASE("disc_radius: sixteenths of a texel, rounded down, and what is out of 
 TEST_CASE("disc: no radius is one texel, all lit is 1, and receivers out of range") {
     std::mt19937 random(2);
     const image<float> map = random_map(random, {9, 9});
-    const glm::vec2 turn = disc_turn(glm::vec2(1, 2));
+    const glm::vec2 rotation = disc_rotation(glm::vec2(1, 2));
     for (int i = 0; i < 500; ++i) {
         const glm::vec2 c = glm::vec2(random() % 2304, random() % 2304) / 256.0f;
         const float z = static_cast<float>(i % 9) / 8.0f;
-        CHECK(disc<16>(clamped(map), c, z, 0.0f, turn) == hard(clamped(map), c, z));
-        CHECK(disc<32>(clamped(map), c, -1.0f, 9.0f, turn) == 1.0f);
-        CHECK(disc<8>(clamped(map), c, std::numeric_limits<float>::quiet_NaN(), 2.0f, turn) == 0.0f);
-        CHECK(disc<8>(clamped(map), c, 1.5f, 2.0f, turn) == 1.0f);
-        CHECK(disc<8>(clamped(map), c, -0.5f, 2.0f, turn, greater_equal{}) == 1.0f);
+        CHECK(disc<16>(clamped(map), c, z, 0.0f, rotation) == hard(clamped(map), c, z));
+        CHECK(disc<32>(clamped(map), c, -1.0f, 9.0f, rotation) == 1.0f);
+        CHECK(disc<8>(clamped(map), c, std::numeric_limits<float>::quiet_NaN(), 2.0f, rotation) == 0.0f);
+        CHECK(disc<8>(clamped(map), c, 1.5f, 2.0f, rotation) == 1.0f);
+        CHECK(disc<8>(clamped(map), c, -0.5f, 2.0f, rotation, greater_equal{}) == 1.0f);
     }
     for (glm::vec2 outside : coordinates_outside_texel_space())
-        CHECK(disc<16>(clamped(map), outside, 0.9f, 2.0f, turn) == 1.0f);
+        CHECK(disc<16>(clamped(map), outside, 0.9f, 2.0f, rotation) == 1.0f);
 }
 
 TEST_CASE("disc_points: less error on edges than Vogel's spiral and Poisson's darts; four turns together, less still") {
@@ -191,7 +191,7 @@ TEST_CASE("disc_points: less error on edges than Vogel's spiral and Poisson's da
     compare_to(ours<32>(), .0196, .0083);
 }
 
-TEST_CASE("rotated_disc: what its values say of themselves, and the pixel decides the turn") {
+TEST_CASE("rotated_disc: what its values say of themselves, and the pixel decides the rotation") {
     const auto ramp = [](glm::ivec2 t) { return t.x * 3 + t.y * 5 > 40 ? 1.0f : 0.0f; };
     std::set<float> seen;
     for (const filters::rotated_disc& filter : filters::rotated_disc::values) {
@@ -200,10 +200,10 @@ TEST_CASE("rotated_disc: what its values say of themselves, and the pixel decide
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 4; ++x) {
                 const float share = filter(ramp, glm::vec2(5.0f), 0.5f, {x, y});
-                const glm::vec2 turn = disc_turn(glm::vec2(float(x), float(y)));
-                const float expected = filter.points == 8    ? disc<8>(ramp, glm::vec2(5.0f), 0.5f, 2.0f, turn)
-                                       : filter.points == 16 ? disc<16>(ramp, glm::vec2(5.0f), 0.5f, 2.0f, turn)
-                                                             : disc<32>(ramp, glm::vec2(5.0f), 0.5f, 2.0f, turn);
+                const glm::vec2 rotation = disc_rotation(glm::vec2(float(x), float(y)));
+                const float expected = filter.points == 8    ? disc<8>(ramp, glm::vec2(5.0f), 0.5f, 2.0f, rotation)
+                                       : filter.points == 16 ? disc<16>(ramp, glm::vec2(5.0f), 0.5f, 2.0f, rotation)
+                                                             : disc<32>(ramp, glm::vec2(5.0f), 0.5f, 2.0f, rotation);
                 CHECK(share == expected);
                 seen.insert(share);
             }

@@ -29,10 +29,10 @@ void check_against_real_numbers() {
                               static_cast<float>(random() % 8192) / 256.0f - 6.0f);
         const float radius = static_cast<float>(random() % 256) / 32.0f,
                     receiver = static_cast<float>(random() % 33) / 32.0f;
-        const glm::vec2 turn = disc_turn(glm::vec2(float(i % 4), float(i / 4 % 4)));
-        const double ours = double(disc_hardware<Points>(clamped(map), coord, receiver, radius, turn));
-        worst = std::max(
-            worst, std::abs(ours - in_reals::lit_share<Points>(map, coord, double(receiver), double(radius), turn)));
+        const glm::vec2 rotation = disc_rotation(glm::vec2(float(i % 4), float(i / 4 % 4)));
+        const double ours = double(disc_hardware<Points>(clamped(map), coord, receiver, radius, rotation));
+        worst = std::max(worst, std::abs(ours - in_reals::lit_share<Points>(map, coord, double(receiver),
+                                                                            double(radius), rotation)));
     }
     MESSAGE(Points << " points: off by " << worst << " of the bound of " << glsl::disc_hardware<Points>.within);
     CHECK(worst <= double(glsl::disc_hardware<Points>.within));
@@ -49,18 +49,18 @@ TEST_CASE("disc_hardware: the mean of bilinear comparisons, in real numbers") {
 TEST_CASE_TEMPLATE("disc_hardware: of no radius it is pcf_2x2; outside, beyond and NaN", T, float, double) {
     image<T> map({4, 4}, T(0.25));
     for (int y = 0; y < 4; ++y) map[{2, y}] = map[{3, y}] = T(0.75);
-    const glm::vec<2, T> coord(1.75, 2.5), turn(64, 0);
+    const glm::vec<2, T> coord(1.75, 2.5), rotation(64, 0);
     const T nan = std::numeric_limits<T>::quiet_NaN();
     for (const T none : {T(0), T(-3), nan}) {
-        CHECK(disc_hardware<8>(clamped(map), coord, T(0.5), none, turn) == T(0.25));
-        CHECK(disc_hardware<16>(clamped(map), coord, T(0.5), none, turn, greater_equal{}) == T(0.75));
+        CHECK(disc_hardware<8>(clamped(map), coord, T(0.5), none, rotation) == T(0.25));
+        CHECK(disc_hardware<16>(clamped(map), coord, T(0.5), none, rotation, greater_equal{}) == T(0.75));
     }
-    CHECK(disc_hardware<32>(clamped(map), coord, T(0.5), std::numeric_limits<T>::infinity(), turn) ==
-          disc_hardware<32>(clamped(map), coord, T(0.5), T(max_disc_radius), turn));
-    CHECK(disc_hardware<16>(clamped(map), coord, nan, T(1), turn) == 0);
-    CHECK(disc_hardware<16>(clamped(map), coord, T(2), T(1), turn) == 1);
-    CHECK(disc_hardware<16>(clamped(map), {nan, T(1)}, T(0.5), T(1), turn) == 1);
-    CHECK(disc_hardware<16>(clamped(map), {T(40000), T(1)}, T(0.5), T(1), turn) == 1);
+    CHECK(disc_hardware<32>(clamped(map), coord, T(0.5), std::numeric_limits<T>::infinity(), rotation) ==
+          disc_hardware<32>(clamped(map), coord, T(0.5), T(max_disc_radius), rotation));
+    CHECK(disc_hardware<16>(clamped(map), coord, nan, T(1), rotation) == 0);
+    CHECK(disc_hardware<16>(clamped(map), coord, T(2), T(1), rotation) == 1);
+    CHECK(disc_hardware<16>(clamped(map), {nan, T(1)}, T(0.5), T(1), rotation) == 1);
+    CHECK(disc_hardware<16>(clamped(map), {T(40000), T(1)}, T(0.5), T(1), rotation) == 1);
 }
 
 TEST_CASE("disc_hardware: a look-up a point, straight from a map that has its sampler to itself") {

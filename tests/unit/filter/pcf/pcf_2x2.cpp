@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE("pcf_2x2: by hand", T, float, double) {
     image<T> map({2, 2});
     map[{0, 0}] = 0, map[{1, 0}] = 1, map[{0, 1}] = T(0.5), map[{1, 1}] = 0;
     const auto at = [&](T x, T y, T receiver) { return pcf_2x2(clamped(map), vec(x, y), receiver); };
-    CHECK(at(0.5, 0.5, T(0.1)) == 0);  // a texel's centre is that texel alone
+    CHECK(at(0.5, 0.5, T(0.1)) == 0);  // a texel's center is that texel alone
     CHECK(at(1.5, 0.5, T(0.1)) == 1);
     CHECK(at(1, 0.5, T(0.1)) == 0.5);
     CHECK(at(1, 1, T(0.5)) == 0.5);  // a tie is lit

@@ -30,13 +30,13 @@ TEST_CASE_TEMPLATE("chebyshev: by hand", T, float, double) {
     CHECK(chebyshev(vec(nan), T(0.5), T(0)) == 0);
     CHECK(chebyshev(m, nan, T(0)) == 0);
 
-    CHECK(bleed_cut(T(0.25), T(0.25)) == 0);
-    CHECK(bleed_cut(T(0.625), T(0.25)) == T(0.5));
-    CHECK(bleed_cut(T(1), T(0.25)) == 1);
-    CHECK(bleed_cut(nan, T(0.25)) == 0);
-    CHECK(bleed_cut(T(0.5), T(1)) == 0);
-    CHECK(forward_depth(T(0.25)) == T(0.25));
-    CHECK(forward_depth(T(0.25), T(0)) == T(0.75));
+    CHECK(reduce_light_bleeding(T(0.25), T(0.25)) == 0);
+    CHECK(reduce_light_bleeding(T(0.625), T(0.25)) == T(0.5));
+    CHECK(reduce_light_bleeding(T(1), T(0.25)) == 1);
+    CHECK(reduce_light_bleeding(nan, T(0.25)) == 0);
+    CHECK(reduce_light_bleeding(T(0.5), T(1)) == 0);
+    CHECK(to_forward_depth(T(0.25)) == T(0.25));
+    CHECK(to_forward_depth(T(0.25), T(0)) == T(0.75));
 }
 
 TEST_CASE("chebyshev: never darker than the lit share, and within its bound of reals") {

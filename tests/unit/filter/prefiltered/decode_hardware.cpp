@@ -50,7 +50,7 @@ TEST_CASE("decode_hardware: the formula in doubles, with the library's powers, w
         for (int i = 0; i < 20000; ++i) {
             const depth_window w(random);
             const auto off = [&](float got, double lit) {
-                return std::abs(double(got) - bleed_cut(lit, double(amount)));
+                return std::abs(double(got) - reduce_light_bleeding(lit, double(amount)));
             };
             const glm::dvec2 plain = w.mean([](float d) { return glm::dvec2(d, double(d) * d); });
             const glm::vec2 held(encode_deviation(plain));

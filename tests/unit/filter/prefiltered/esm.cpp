@@ -14,8 +14,8 @@ using namespace umbrage;
 
 TEST_CASE_TEMPLATE("esm: by hand", T, float, double) {
     const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
-    CHECK(warp_depth(T(0.5), T(40)) == 1);
-    CHECK(warp_depth(T(0), T(40)) == T(0x1p-40));
+    CHECK(exponential_warp(T(0.5), T(40)) == 1);
+    CHECK(exponential_warp(T(0), T(40)) == T(0x1p-40));
     CHECK(encode_esm(T(1), T(40)) == T(0x1p40));
     CHECK(encode_esm(T(1), T(40), T(0)) == T(0x1p-40));                                // reversed
     for (const T far : {T(0), T(1)}) CHECK(encode_esm(nan, T(40), far) == T(0x1p40));  // as cleared

@@ -56,7 +56,7 @@ TEST_CASE("evsm: set-up") {
 
 TEST_CASE("evsm: where hardware takes denormals for 0, the square of a distance that is one changes no visibility") {
     const evsm_parameters p = make_evsm({.exponent = 55.0f, .falling = 43.0f});
-    const float n = -warp_depth(1.0f, -43.0f), m = n - 0x1p-64f;
+    const float n = -exponential_warp(1.0f, -43.0f), m = n - 0x1p-64f;
     REQUIRE((n - m) * (n - m) < std::numeric_limits<float>::min());
     const float a = decode_evsm4(glm::vec4(0x1p56f, 0x1p112f, m, m * m), 1.0f, p.exponents, p.deviations);
     CHECK(std::abs(a - 1.0f) <= 0x1p-23f);

@@ -34,8 +34,8 @@ public:
             if (masses_[r] < 0) masses_[r] = -masses_[r], inverse_[r][r] = -1;
         const auto none = [&](std::size_t i) { return i < depths_.size() ? 0.0 : 1.0; };  // makes up for no depth
         const auto before = [&](std::size_t i) { return none(i) > 0 ? 1e6 : (depths_[i] < receiver ? 1.0 : 0.0); };
-        minimise(none);
-        minimise(before);
+        minimize(none);
+        minimize(before);
         least_ = total(before);
         for (std::size_t c = 0; c < rows; ++c) {
             double off = -moments[c];
@@ -59,7 +59,7 @@ private:
     }
     /// Exchanges one depth of the basis at a time, for the one that lowers the cost most a mass.
     template <class Cost>
-    void minimise(const Cost& cost) {
+    void minimize(const Cost& cost) {
         for (int exchange = 0; exchange < 1000; ++exchange) {
             column price{};
             for (std::size_t c = 0; c < rows; ++c)

@@ -34,7 +34,7 @@ TEST_CASE("look-ups: decoders of the mean texel; who is not compared is lit") {
             two[at] = encode_vsm(d), warped[at] = encode_esm(d, 20.0f), evsm_two[at] = encode_evsm2(d, 20.0f);
             evsm_four[at] = encode_evsm4(d, p.exponents), four[at] = encode_msm(d);
         }
-    const auto turned = [&](glm::ivec2 at) { return turn_moments(fetch_clamped(four.view(), at)); };
+    const auto turned = [&](glm::ivec2 at) { return to_optimized_moments(fetch_clamped(four.view(), at)); };
     const float nan = std::numeric_limits<float>::quiet_NaN();
     int wrong = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -52,8 +52,8 @@ TEST_CASE("look-ups: decoders of the mean texel; who is not compared is lit") {
             const glm::vec4 b = fetch_bilinear(clamped(four), c);
             same(msm(clamped(four), c, r, msm_bias_32, far), decode_msm(b, r, msm_bias_32, far));
             same(msm_hausdorff(clamped(four), c, r, msm_bias_32, far), decode_msm_hausdorff(b, r, msm_bias_32, far));
-            same(msm_turned(turned, c, r, msm_bias_16, far),
-                 decode_msm(turn_moments_back(fetch_bilinear(turned, c)), r, msm_bias_16, far));
+            same(msm_unorm16(turned, c, r, msm_bias_16, far),
+                 decode_msm(from_optimized_moments(fetch_bilinear(turned, c)), r, msm_bias_16, far));
         }
     }
     CHECK(wrong == 0);

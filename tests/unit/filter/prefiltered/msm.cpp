@@ -61,11 +61,12 @@ TEST_CASE_TEMPLATE("msm: what no depths have, and NaN, gives what is documented"
     CHECK(decode_msm(vec(0), nan, bias) == 0);
 }
 
-TEST_CASE("turn_moments: turned moments take [0, 1], and turn back") {
+TEST_CASE("to_optimized_moments: turned moments take [0, 1], and turn back") {
     double error = 0;
     glm::vec4 least(1), most(0);
     for (int k = 0; k <= 4096; ++k) {
-        const glm::vec4 b = encode_msm(static_cast<float>(k) / 4096), o = turn_moments(b), back = turn_moments_back(o);
+        const glm::vec4 b = encode_msm(static_cast<float>(k) / 4096), o = to_optimized_moments(b),
+                        back = from_optimized_moments(o);
         for (int c = 0; c < 4; ++c) {
             least[c] = std::min(least[c], o[c]), most[c] = std::max(most[c], o[c]);
             error = std::max(error, std::abs(double(back[c]) - double(b[c])));
@@ -134,9 +135,9 @@ TEST_CASE("msm: no darker than the lit share but for the bias and rounding; in f
             const depth_window w(random);
             glm::vec4 b(moments(w));
             if (s.short_store) {
-                glm::vec4 held = turn_moments(b);
+                glm::vec4 held = to_optimized_moments(b);
                 for (int c = 0; c < 4; ++c) held[c] = std::floor(held[c] * 65535.0f + 0.5f) / 65535.0f;
-                b = turn_moments_back(held);
+                b = from_optimized_moments(held);
             }
             const double got = decode_msm(b, w.receiver, s.bias);
             const double real = decode_msm(glm::dvec4(b), double(w.receiver), glm::dvec2(s.bias));

@@ -125,7 +125,7 @@ TEST_CASE("visibility: every path gives the filter's bits, float map") {
 // What has a radius reads these maps as floats.
 TEST_CASE("visibility: every path gives the filter's bits, 11-bit map") { check_filters(umbrage::rg<11>{}, {1}); }
 TEST_CASE("visibility: every path gives the filter's bits, 16-bit map") {
-    check_filters(umbrage::rg<16>{.edge = umbrage::centre<float>}, {8});
+    check_filters(umbrage::rg<16>{.edge = umbrage::center<float>}, {8});
 }
 TEST_CASE("visibility: every path gives the filter's bits, 24-bit map") { check_filters(umbrage::rgb24{}, {2}); }
 

@@ -67,9 +67,9 @@ int check(const Filter& filter, const scene& of, umbrage::outside_map outside) {
 
 template <class Filter>
 void check_all() {
-    const umbrage::light_softness lights[]{{.per_code = 0.01171875f, .least = 5.0f, .widest = 96.0f},
-                                           {.per_code = 3.5f, .least = 0.0f, .widest = 4095.0f},
-                                           {.per_code = 0.0f, .least = 0.0f, .widest = 0.0f}};
+    const umbrage::penumbra_params lights[]{{.per_code = 0.01171875f, .min_radius = 5.0f, .max_radius = 96.0f},
+                                            {.per_code = 3.5f, .min_radius = 0.0f, .max_radius = 4095.0f},
+                                            {.per_code = 0.0f, .min_radius = 0.0f, .max_radius = 0.0f}};
     values v;
     int partly = 0;
     for (const glm::ivec2 map_size : {glm::ivec2(1, 1), glm::ivec2(67, 45)}) {
@@ -77,10 +77,10 @@ void check_all() {
         for (Filter filter : Filter::values)
             for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
                 filter.is_lit = {direction};
-                for (const umbrage::light_softness& light : lights) {
+                for (const umbrage::penumbra_params& light : lights) {
                     filter.softness = light;
                     CAPTURE(filter.name);
-                    CAPTURE(light.widest);
+                    CAPTURE(light.max_radius);
                     partly += check(filter, any, umbrage::outside_map::clamped);
                     if (filter.points != 16) break;
                 }

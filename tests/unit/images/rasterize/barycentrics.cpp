@@ -12,7 +12,7 @@
 
 using namespace raster_scene;
 
-TEST_CASE("barycentrics: the weighted corners project to the texel's centre") {
+TEST_CASE("barycentrics: the weighted corners project to the texel's center") {
     generator random;
     const glm::ivec2 size(96, 64);
     const mesh m = soup(random, 300);

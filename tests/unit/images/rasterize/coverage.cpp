@@ -16,10 +16,10 @@
 
 using namespace raster_scene;
 
-TEST_CASE("rasterize: coverage is the oracle's, for corners and edges on texel centres too, in perspective too") {
+TEST_CASE("rasterize: coverage is the oracle's, for corners and edges on texel centers too, in perspective too") {
     generator random;
     const glm::ivec2 size(40, 24);
-    int on_centre = 0, samples = 0, wrong = 0;
+    int on_center = 0, samples = 0, wrong = 0;
     for (int round = 0; round < 20000; ++round) {
         const exact_scene scene({0, 0, 2048, 0});
         exact_triangle oracle;
@@ -31,7 +31,7 @@ TEST_CASE("rasterize: coverage is the oracle's, for corners and edges on texel c
             if (round % 4 == 0) x = y = random(-70, 70);  // corners on a diagonal, many shared or collinear
             oracle.v[i] = scene.vertex(x, y, w);
             oracle.v[i].snap(size);
-            on_centre += oracle.v[i].column % 256 == 128 && oracle.v[i].row % 256 == 128;
+            on_center += oracle.v[i].column % 256 == 128 && oracle.v[i].row % 256 == 128;
             p[i] = scene.position(x, y, w);
         }
         m.add(p[0], p[1], p[2]);
@@ -43,10 +43,10 @@ TEST_CASE("rasterize: coverage is the oracle's, for corners and edges on texel c
             }
     }
     CHECK(wrong == 0);
-    CHECK(on_centre > 100);
+    CHECK(on_center > 100);
     CHECK(samples > 1000000);
 
-    // corners on a quarter-texel grid, so that most edges meet centres
+    // corners on a quarter-texel grid, so that most edges meet centers
     int ties = 0;
     for (int round = 0; round < 20000; ++round) {
         const glm::ivec2 small(16, 8);
@@ -76,7 +76,7 @@ TEST_CASE("rasterize: each sample on a shared edge or corner is covered exactly 
     const glm::ivec2 size(24, 20);
     for (int round = 0; round < 600; ++round) {
         mesh m;
-        if (round % 2) {  // a grid over the image; its inner corners moved, a third of them onto texel centres
+        if (round % 2) {  // a grid over the image; its inner corners moved, a third of them onto texel centers
             const int columns = 7, rows = 6;
             const auto coordinate = [&](int i, int last, int texels) {
                 if (i == 0) return -256;
@@ -94,7 +94,7 @@ TEST_CASE("rasterize: each sample on a shared edge or corner is covered exactly 
                     m.triangles.emplace_back(i, i + 1, rising ? above + 1 : above);
                     m.triangles.emplace_back(above + 1, above, rising ? i : i + 1);
                 }
-        } else {  // a fan around a texel's centre, its rim on centres outside of the image
+        } else {  // a fan around a texel's center, its rim on centers outside of the image
             const int column = 256 * random(0, 23) + 128, row = 256 * random(0, 19) + 128;
             const int left = -640, right = 26 * 256 + 128, bottom = -640, top = 22 * 256 + 128;
             m.positions.push_back(at(column, row, size));

@@ -28,9 +28,9 @@ TEST_CASE("rasterize: depth is the exact plane's, rounded once, but for the stat
         std::array<glm::vec3, 3> p;
         const exact_scene scene({random(-100, 100), random(-100, 100), random(1500, 2500), random(-100, 100)});
         const int reach = round % 4 == 0 ? 6 : 200;  // small triangles, and slivers among them, as well as large ones
-        const glm::ivec2 centre(random(-60, 60), random(-60, 60));
+        const glm::ivec2 center(random(-60, 60), random(-60, 60));
         for (std::size_t i = 0; i < 3; ++i) {
-            const int w = random(50, 90), x = centre.x + random(-reach, reach), y = centre.y + random(-reach, reach);
+            const int w = random(50, 90), x = center.x + random(-reach, reach), y = center.y + random(-reach, reach);
             oracle.v[i] = scene.vertex(x, y, w);
             oracle.v[i].snap(size);
             p[i] = scene.position(x, y, w);

@@ -43,7 +43,7 @@ struct exact_triangle {
     std::int64_t area() const {
         return cross(v[1].column - v[0].column, v[1].row - v[0].row, v[2].column - v[0].column, v[2].row - v[0].row);
     }
-    // twice the area that edge i and the texel's centre span
+    // twice the area that edge i and the texel's center span
     std::int64_t part(std::size_t i, glm::ivec2 texel) const {
         const auto &a = v[i], &b = v[(i + 1) % 3];
         return cross(b.column - a.column, b.row - a.row, texel.x * 256 + 128 - a.column, texel.y * 256 + 128 - a.row);

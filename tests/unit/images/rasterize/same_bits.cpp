@@ -48,10 +48,10 @@ TEST_CASE("rasterize_depth: compilers, flags and machines give the same bits for
     const glm::ivec2 size(128, 128);
     mesh m;
     for (int i = 0; i < 2000; ++i) {
-        const glm::ivec2 centre{random(-110, 110), random(-110, 110)};  // braces: in this order
+        const glm::ivec2 center{random(-110, 110), random(-110, 110)};  // braces: in this order
         std::array<glm::vec3, 3> p;
         for (auto& c : p)
-            c = glm::vec3{centre.x + random(-20, 20), centre.y + random(-20, 20), random(90, 150)} / 64.0f;
+            c = glm::vec3{center.x + random(-20, 20), center.y + random(-20, 20), random(90, 150)} / 64.0f;
         m.add(p[0], p[1], p[2]);
     }
     const auto matrix = exact_scene({123, -77, 1999, 1000}).matrix;
@@ -159,7 +159,7 @@ TEST_CASE("rasterize_depth: triangles of a few texels, among others or not, are 
                 mesh m;
                 for (int i = 0; i < 6000; ++i) {
                     const int reach = random(1, 8) <= large_of_eight ? texels(1, 20) : random(64, 700);
-                    const glm::ivec2 centre{random(-512, 256 * size.x + 512), random(-512, 256 * size.y + 512)};
+                    const glm::ivec2 center{random(-512, 256 * size.x + 512), random(-512, 256 * size.y + 512)};
                     const bool alike = random(0, 2) == 0;  // depths from a power of two to the next, or near to them
                     const float scale = std::ldexp(1.0f, random(0, 3) == 0 ? -125 : random(-3, 0));
                     std::array<glm::vec3, 3> corner;
@@ -167,13 +167,13 @@ TEST_CASE("rasterize_depth: triangles of a few texels, among others or not, are 
                         const glm::ivec2 to{random(-reach, reach), random(-reach, reach)};
                         const float near[] = {0.5f, std::nextafter(0.5f, 0.0f), std::nextafter(1.0f, 0.0f), 1.0f};
                         const float z = random(0, 3) ? random.real(0.5f, 1.0f) : near[random(0, 3)];
-                        c = at(centre.x + to.x, centre.y + to.y, size, alike ? scale * z : depth());
+                        c = at(center.x + to.x, center.y + to.y, size, alike ? scale * z : depth());
                     }
                     m.add(corner[0], corner[1], corner[2]);
                 }
                 check(size, clip, m);
             }
-            // Slivers through a texel's centre, so steep that planes there leave what lies between the corners' depths.
+            // Slivers through a texel's center, so steep that planes there leave what lies between the corners' depths.
             mesh slivers;
             for (int i = 0; i < 20000; ++i) {
                 const int x = texels(0, size.x - 1) + 128, y = texels(0, size.y - 1) + 128;

@@ -70,11 +70,11 @@ inline bool all(const image<float>& a, float value) { return same_bits(a, image<
 inline mesh soup(generator& random, int count) {
     mesh m;
     for (int i = 0; i < count; ++i) {
-        const glm::vec3 centre(random.real(-2, 2), random.real(-2, 2), random.real(-6, 1));
+        const glm::vec3 center(random.real(-2, 2), random.real(-2, 2), random.real(-6, 1));
         std::array<glm::vec3, 3> corner;
         for (auto& c : corner) {
             const float size = i % 7 == 0 ? 100.0f : 0.7f;
-            c = centre + glm::vec3(random.real(-size, size), random.real(-size, size), random.real(-size, size));
+            c = center + glm::vec3(random.real(-size, size), random.real(-size, size), random.real(-size, size));
         }
         m.add(corner[0], corner[1], corner[2]);
     }

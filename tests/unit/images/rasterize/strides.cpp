@@ -22,11 +22,11 @@ TEST_CASE("rasterize_depth: rows any number of bytes apart are drawn like sample
     const glm::ivec2 size(1001, 150);
     mesh m;
     for (int i = 0; i < 600; ++i) {
-        const glm::vec2 centre{random.real(-1.1f, 1.1f), random.real(-1.1f, 1.1f)};
+        const glm::vec2 center{random.real(-1.1f, 1.1f), random.real(-1.1f, 1.1f)};
         std::array<glm::vec3, 3> corner;
         for (auto& c : corner) {
             const glm::vec2 to{random.real(-0.15f, 0.15f), random.real(-0.9f, 0.9f)};
-            c = {centre + to, random.real(0.1f, 0.9f)};
+            c = {center + to, random.real(0.1f, 0.9f)};
         }
         m.add(corner[0], corner[1], corner[2]);
     }

@@ -14,7 +14,7 @@ TEST_CASE("page_light: what the root's coordinates say of a page, in every conve
     for (int i = 0; i < 320; ++i) {
         const umbrage::clip_space clip = all_clip_spaces()[std::size_t(i % 16)];
         umbrage::page_root<double> fit{.side = 60, .scene = {{-9, -9, -9}, {9, 9, 9}}, .clip = clip};
-        fit.direction = bodies::random_vector(random, -1, 1), fit.centre = bodies::random_vector(random, -5, 5);
+        fit.direction = bodies::random_vector(random, -1, 1), fit.center = bodies::random_vector(random, -5, 5);
         const auto root = umbrage::make_page_root(fit);
         const glm::dvec3 p = bodies::random_vector(random, -9, 9);
         const glm::dvec4 at = umbrage::shadow_coordinate(umbrage::page_matrix(root), p);
@@ -31,10 +31,10 @@ TEST_CASE("page_light: what the root's coordinates say of a page, in every conve
     }
 }
 
-TEST_CASE("make_page_root: its square around its centre, along the hint") {
+TEST_CASE("make_page_root: its square around its center, along the hint") {
     const auto root = umbrage::make_page_root<double>({.direction = {0, -1, 0},
                                                        .up = {0, 0, -1},
-                                                       .centre = {10, 0, 20},
+                                                       .center = {10, 0, 20},
                                                        .side = 8,
                                                        .scene = {{0, -1, 0}, {9, 3, 9}},
                                                        .clip = umbrage::cpu_clip_space});
@@ -54,7 +54,7 @@ TEST_CASE("make_page_root, page_light: bad input") {
     };
     CHECK(with([](auto&) {}).empty());
     CHECK(with([](auto& r) { r.direction = {0, 0, 0}; }).starts_with("umbrage::make_page_root: direction "));
-    CHECK(with([&](auto& r) { r.centre = {0, inf, 0}; }).starts_with("umbrage::make_page_root: centre "));
+    CHECK(with([&](auto& r) { r.center = {0, inf, 0}; }).starts_with("umbrage::make_page_root: center "));
     CHECK(with([](auto& r) { r.side = 0; }).starts_with("umbrage::make_page_root: side "));
     CHECK(with([&](auto& r) { r.side = inf; }).starts_with("umbrage::make_page_root: side "));
     CHECK(with([&](auto& r) {

@@ -139,7 +139,7 @@ TEST_CASE("fit_directional_light: points as receivers give what their hull's cor
         const bounding_sphere<double> sphere{bodies::random_vector(random, -3, 3), 2.5};
         const auto around = fitted(sphere);
         for (int i = 0; i < 100; ++i)
-            CHECK(holds(around, sphere.centre + 2.5 * glm::normalize(bodies::random_vector(random, -1, 1))));
+            CHECK(holds(around, sphere.center + 2.5 * glm::normalize(bodies::random_vector(random, -1, 1))));
         CHECK(around.projection[0][0] == doctest::Approx(1 / 2.5));
         CHECK(around.projection[1][1] == doctest::Approx(1 / 2.5));
     }

@@ -18,12 +18,12 @@ using namespace umbrage;
 namespace {
 
 constexpr int size = 1024;
-constexpr double centre_of_scene = 3000;
+constexpr double center_of_scene = 3000;
 
 /// Along a curve through the scene's middle, looking all around.
 frustum<double> camera_at(int i) {
     const double t = 0.013 * i;
-    return {.position = {centre_of_scene + 20 * std::cos(t), 2, centre_of_scene + 17 * std::sin(1.7 * t)},
+    return {.position = {center_of_scene + 20 * std::cos(t), 2, center_of_scene + 17 * std::sin(1.7 * t)},
             .direction = {std::sin(5 * t), -0.2 * std::sin(t), std::cos(5 * t)},
             .tan_half_x = 1.02,
             .tan_half_y = 0.577,
@@ -32,8 +32,8 @@ frustum<double> camera_at(int i) {
 }
 
 glm::dmat4 matrix(const hull& receivers, clip_space clip, double margin = 0) {
-    const bounding_box<double> scene{{centre_of_scene - 60, 0, centre_of_scene - 60},
-                                     {centre_of_scene + 60, 10, centre_of_scene + 60}};
+    const bounding_box<double> scene{{center_of_scene - 60, 0, center_of_scene - 60},
+                                     {center_of_scene + 60, 10, center_of_scene + 60}};
     return texture_matrix(fit_directional_light<double>({.direction = {0.4, -0.8, 0.3},
                                                          .receivers = receivers,
                                                          .casters = scene,
@@ -79,7 +79,7 @@ TEST_CASE("fit_directional_light: around a sphere, snapped, texels move by whole
 
 TEST_CASE("fit_directional_light: around a sphere, snapped, depth stays to the bit while the scene's box holds it") {
     const auto at = [](double x) {
-        return matrix(bounding_sphere<double>{{centre_of_scene + x, 5, centre_of_scene}, 4}, cpu_clip_space, 0.01);
+        return matrix(bounding_sphere<double>{{center_of_scene + x, 5, center_of_scene}, 4}, cpu_clip_space, 0.01);
     };
     const glm::dmat4 before = at(0);
     for (int i = 0; i < 100; ++i)
@@ -90,7 +90,7 @@ TEST_CASE("fit_directional_light: without snapping the grid drifts") {
     const auto at = [](double x) {
         return texture_matrix(
             fit_directional_light<double>({.direction = {0.4, -0.8, 0.3},
-                                           .receivers = bounding_sphere<double>{{centre_of_scene + x, 5, 0}, 4},
+                                           .receivers = bounding_sphere<double>{{center_of_scene + x, 5, 0}, 4},
                                            .clip = cpu_clip_space}),
             {size, size});
     };

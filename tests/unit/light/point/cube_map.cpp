@@ -130,11 +130,11 @@ constexpr beyond seams[6][4]{
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("cube_neighbour: the table of all seams, texels inside, none beyond corners", T, float, double) {
+TEST_CASE_TEMPLATE("cube_neighbor: the table of all seams, texels inside, none beyond corners", T, float, double) {
     for (const int size : {1, 2, 3, 8, 1024, 16384})
         for (int face = 0; face < 6; ++face) {
             const T n = T(size), last = n - T(1);
-            const auto of = [&](T s, T t) { return cube_neighbour(glm::vec<3, T>(s, t, T(face)), n); };
+            const auto of = [&](T s, T t) { return cube_neighbor(glm::vec<3, T>(s, t, T(face)), n); };
             for (const T s : {T(-1), n})
                 for (const T t : {T(-1), n}) CHECK(of(s, t).z == T(-1));
             for (int k = 0; k < size; k = k < 8 ? k + 1 : k * 2 + 3) {

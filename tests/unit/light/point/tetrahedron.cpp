@@ -83,7 +83,7 @@ TEST_CASE("tetrahedron_coordinate: Liao's angles, a frustum tilted from a face's
     CHECK(std::abs(std::acos(glm::dot(forward, tetrahedron_normal<double>(0))) * radian - 7.897) < 5e-4);
 }
 
-TEST_CASE("tetrahedron_coordinate: over an edge lies the neighbour, from either corner as far") {
+TEST_CASE("tetrahedron_coordinate: over an edge lies the neighbor, from either corner as far") {
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
             for (int k = 0; k < 4; ++k) {

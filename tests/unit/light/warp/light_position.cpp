@@ -24,7 +24,7 @@ const bounding_box<double> room{{-10, 0, -10}, {10, 5, 10}};
 
 struct lamp_setting {
     warp_fit<double> fit{.receivers = bounding_box<double>{}, .clip = cpu_clip_space};
-    lamp<double> from;
+    light_position<double> from;
 };
 
 /// A camera in a room and a lamp, inside of it or not, that lights what the camera sees in a cone about its axis.
@@ -138,7 +138,7 @@ TEST_CASE_TEMPLATE("lamps: bad input, and what warps of directional lights refus
                             .receivers = bounding_box<T>{},
                             .casters = bounding_box<T>{},
                             .clip = cpu_clip_space};
-            lamp<T> from{.position = {T(0.1), 3, 0}};
+            light_position<T> from{.position = {T(0.1), 3, 0}};
             change(fit, from);
             for (const auto& light :
                  {fit_perspective(fit, from).light, fit_plane_optimal(fit, {0, 1, 0, T(0.5)}, from).value().light})

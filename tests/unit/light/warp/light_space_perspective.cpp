@@ -70,7 +70,7 @@ TEST_CASE("fit_light_space_perspective: overhead light and a bare frustum need t
 }
 
 TEST_CASE("fit_light_space_perspective: by hand, and without a warp") {
-    // from above, y along -z: receivers from z = -1 to -3, 3 wide; the centre 2 before them
+    // from above, y along -z: receivers from z = -1 to -3, 3 wide; the center 2 before them
     const frustum<double> camera{.position = {0.5, 4, 0}, .direction = {0, 0, -1}};
     warp_fit<double> fit{.camera = camera,
                          .direction = {0, -1, 0},

@@ -10,22 +10,23 @@ using namespace umbrage;
 
 template <int Points>
 void add_dpcf(std::vector<entry>& all, std::size_t share) {
-    add_soft_filter(all, glsl::dpcf<Points>, share, true, [](const sample& s, vec3 softness, vec2 turn, auto is_lit) {
-        return dpcf<Points>(s.depth(), at(s), s.x[0].z, softness, turn, is_lit);
-    });
+    add_soft_filter(all, glsl::dpcf<Points>, share, true,
+                    [](const sample& s, vec3 softness, vec2 rotation, auto is_lit) {
+                        return dpcf<Points>(s.depth(), at(s), s.x[0].z, softness, rotation, is_lit);
+                    });
 }
 
 /// How many are blocked in x0.x, the ratio in x0.y.
 template <int Points>
 void add_hardened(std::vector<entry>& all) {
-    all.push_back({.primitive = &glsl::hardened<Points>,
+    all.push_back({.primitive = &glsl::hardened_kernel<Points>,
                    .classes = {{"random",
                                 [](auto, random& r, sample& s) {
                                     const auto blocked = static_cast<float>(r.below(Points + 1));
                                     s.x[0] = {blocked, static_cast<float>(r.below(257)), 0.0f, 0.0f};
                                 }}},
-                   .twin = [](const sample& s) { return vec4(hardened<Points>(s.x[0].x, s.x[0].y)); },
-                   .call = "vec4(umbrage_" + std::string(glsl::hardened<Points>.name) + "(x0.x, x0.y))",
+                   .twin = [](const sample& s) { return vec4(hardened_kernel<Points>(s.x[0].x, s.x[0].y)); },
+                   .call = "vec4(umbrage_" + std::string(glsl::hardened_kernel<Points>.name) + "(x0.x, x0.y))",
                    .alike = Points != 16});
 }
 

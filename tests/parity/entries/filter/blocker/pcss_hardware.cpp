@@ -25,7 +25,7 @@ void add_search(std::vector<entry>& all, entry e) {
                 return false;
         return true;
     });
-    e.also = {&glsl::disc_turn};
+    e.also = {&glsl::disc_rotation};
     e.share = Points;
     all.push_back(std::move(e));
 }

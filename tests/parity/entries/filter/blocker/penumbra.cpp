@@ -52,14 +52,14 @@ void add_blockers(std::vector<entry>& all, std::size_t share) {
     all.push_back(filter(glsl::blockers<Points>, "", [](const sample& s) {
         const vec2 position = inside_texel_space(at(s)) ? glm::floor(at(s) * 256.0f) : vec2(0.0f);
         const float radius = s.x[0].w * 13.0f + 13.0f;
-        const vec2 found = blockers<Points>(s.depth(), position, s.x[0].z, radius, disc_turn(at(s)));
+        const vec2 found = blockers<Points>(s.depth(), position, s.x[0].z, radius, disc_rotation(at(s)));
         return vec4(found.x, found.y, 0.0f, 0.0f);
     }));
     all.back().call =
         "vec4(umbrage_" + std::string(glsl::blockers<Points>.name) +
         "(map, map_size, umbrage_inside_texel_space(vec2(x0.x, x0.y)) ? floor(vec2(x0.x, x0.y) * 256.0) : "
-        "vec2(0.0, 0.0), x0.z, x0.w * 13.0 + 13.0, umbrage_disc_turn(vec2(x0.x, x0.y))), 0.0, 0.0)";
-    all.back().also = {&umbrage::glsl::disc_turn};
+        "vec2(0.0, 0.0), x0.z, x0.w * 13.0 + 13.0, umbrage_disc_rotation(vec2(x0.x, x0.y))), 0.0, 0.0)";
+    all.back().also = {&umbrage::glsl::disc_rotation};
     all.back().share = share;
     all.back().alike = Points != 16;
 }

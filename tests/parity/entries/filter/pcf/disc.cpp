@@ -11,13 +11,14 @@ using namespace umbrage;
 /// A whole number in either direction.
 float whole(random& r, int below) { return static_cast<float>(r.below(2 * below + 1) - below); }
 
-/// position x0.xy, point x0.zw, turn x1.xy and radius x1.z of disc_tap.
+/// position x0.xy, point x0.zw, rotation x1.xy and radius x1.z of disc_tap.
 std::vector<input_class> taps() {
     return {{"random",
              [](auto, random& r, sample& s) {
                  s.x[0] = {whole(r, 1 << 23), whole(r, 1 << 23), whole(r, 16), whole(r, 16)};
-                 const vec2 turn = disc_turn(vec2(static_cast<float>(r.below(4)), static_cast<float>(r.below(4))));
-                 s.x[1] = {turn.x, turn.y, static_cast<float>(r.below(4096)), 0.0f};
+                 const vec2 rotation =
+                     disc_rotation(vec2(static_cast<float>(r.below(4)), static_cast<float>(r.below(4))));
+                 s.x[1] = {rotation.x, rotation.y, static_cast<float>(r.below(4096)), 0.0f};
              }},
             {"texel edges", [](std::uint64_t i, random& r, sample& s) {
                  s.x[0] = {whole(r, 1 << 10) * 256.0f, whole(r, 1 << 10) * 256.0f, i % 2 ? 16.0f : -16.0f, 0.0f};
@@ -28,14 +29,14 @@ std::vector<input_class> taps() {
 template <int Points>
 void add(std::vector<entry>& all, std::size_t share) {
     const auto lit = [](const sample& s, auto... is_lit) {
-        return vec4(disc<Points>(s.depth(), at(s), s.x[0].z, s.x[0].w * 0.375f, disc_turn(at(s)), is_lit...));
+        return vec4(disc<Points>(s.depth(), at(s), s.x[0].z, s.x[0].w * 0.375f, disc_rotation(at(s)), is_lit...));
     };
-    const std::string arguments = ", x0.w * 0.375, umbrage_disc_turn(vec2(x0.x, x0.y))";
+    const std::string arguments = ", x0.w * 0.375, umbrage_disc_rotation(vec2(x0.x, x0.y))";
     all.push_back(filter(umbrage::glsl::disc<Points>, arguments, [lit](const sample& s) { return lit(s); }));
     all.push_back(reversed_filter(umbrage::glsl::disc<Points>, arguments,
                                   [lit](const sample& s) { return lit(s, greater_equal{}); }));
     for (entry* e : {&all.back() - 1, &all.back()}) {
-        e->also = {&umbrage::glsl::disc_turn};
+        e->also = {&umbrage::glsl::disc_rotation};
         e->share = share;
     }
     all.back().alike = true;
@@ -45,14 +46,14 @@ void add(std::vector<entry>& all, std::size_t share) {
 
 void add_filter_pcf_disc(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
-    all.push_back({.primitive = &glsl::disc_turn,
+    all.push_back({.primitive = &glsl::disc_rotation,
                    .classes = spread({{-40.0f, 4000.0f}, {-40.0f, 4000.0f}}, special_values()),
                    .twin =
                        [](const sample& s) {
-                           const vec2 turn = disc_turn(vec2(s.x[0]));
-                           return vec4(turn.x, turn.y, 0.0f, 0.0f);
+                           const vec2 rotation = disc_rotation(vec2(s.x[0]));
+                           return vec4(rotation.x, rotation.y, 0.0f, 0.0f);
                        },
-                   .call = "vec4(umbrage_disc_turn(vec2(x0.x, x0.y)), 0.0, 0.0)"});
+                   .call = "vec4(umbrage_disc_rotation(vec2(x0.x, x0.y)), 0.0, 0.0)"});
     all.push_back({.primitive = &glsl::disc_tap,
                    .classes = taps(),
                    .twin =

@@ -18,7 +18,7 @@ void add(std::vector<entry>& all) {
     const snippet& one = glsl::disc_hardware<Points>;
     all.push_back(filter(one, turned_arguments,
                          [](const sample& s) { return vec4(disc_twin<Points>(s.depth(), s, less_equal{})); }));
-    all.back().also = {&glsl::disc_turn};
+    all.back().also = {&glsl::disc_rotation};
     all.back().share = Points;
     all.back().alike = Points != 16;
 }
@@ -27,7 +27,7 @@ void add(std::vector<entry>& all) {
 template <int Points>
 void add(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
     all.push_back(sampled_filter(glsl::disc_hardware<Points>, turned_arguments, name, as, disc_twin<Points>));
-    all.back().also = {&glsl::disc_turn};
+    all.back().also = {&glsl::disc_rotation};
 }
 
 }  // namespace

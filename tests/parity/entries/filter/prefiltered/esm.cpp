@@ -8,10 +8,10 @@ namespace parity {
 void add_filter_prefiltered_esm(std::vector<entry>& all) {
     using namespace umbrage;
     const range unit{}, exponent{1.0f, 63.0f};
-    all.push_back({.primitive = &glsl::warp_depth,
+    all.push_back({.primitive = &glsl::exponential_warp,
                    .classes = spread({unit, {-63.0f, 63.0f}}, special_values()),
-                   .twin = [](const sample& s) { return vec4(warp_depth(s.x[0].x, s.x[0].y)); },
-                   .call = "vec4(umbrage_warp_depth(x0.x, x0.y))"});
+                   .twin = [](const sample& s) { return vec4(exponential_warp(s.x[0].x, s.x[0].y)); },
+                   .call = "vec4(umbrage_exponential_warp(x0.x, x0.y))"});
     add_both(all,
              {.primitive = &glsl::encode_esm,
               .classes = spread({unit, exponent}, special_values()),

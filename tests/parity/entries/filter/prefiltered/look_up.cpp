@@ -51,8 +51,9 @@ void add_filter_prefiltered_look_up(std::vector<entry>& all) {
     const std::vector<texels> moments = maps_of([](float d) { return encode_msm(d); });
     add(glsl::msm, ", vec2(0.000003, 0.375)", moments,
         [fetch](const sample& s, float far) { return vec4(msm(fetch(s), at(s), s.x[0].z, msm_bias_32, far)); });
-    add(glsl::msm_turned, ", vec2(0.00006, 0.628)", maps_of([](float d) { return turn_moments(encode_msm(d)); }),
-        [fetch](const sample& s, float far) { return vec4(msm_turned(fetch(s), at(s), s.x[0].z, msm_bias_16, far)); });
+    add(glsl::msm_unorm16, ", vec2(0.00006, 0.628)",
+        maps_of([](float d) { return to_optimized_moments(encode_msm(d)); }),
+        [fetch](const sample& s, float far) { return vec4(msm_unorm16(fetch(s), at(s), s.x[0].z, msm_bias_16, far)); });
     add(glsl::msm_hausdorff, ", vec2(0.000003, 0.375)", moments, [fetch](const sample& s, float far) {
         return vec4(msm_hausdorff(fetch(s), at(s), s.x[0].z, msm_bias_32, far));
     });

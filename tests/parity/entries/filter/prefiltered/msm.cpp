@@ -16,14 +16,14 @@ void add_filter_prefiltered_msm(std::vector<entry>& all) {
              [](const sample& s, float far) { return encode_msm(s.x[0].x, far); });
     auto moments = spread({both, unit, both, unit}, large_values());
     moments.push_back(windows(texel, {}));
-    all.push_back({.primitive = &glsl::turn_moments,
+    all.push_back({.primitive = &glsl::to_optimized_moments,
                    .classes = moments,
-                   .twin = [](const sample& s) { return turn_moments(s.x[0]); },
-                   .call = "umbrage_turn_moments(x0)"});
-    all.push_back({.primitive = &glsl::turn_moments_back,
+                   .twin = [](const sample& s) { return to_optimized_moments(s.x[0]); },
+                   .call = "umbrage_to_optimized_moments(x0)"});
+    all.push_back({.primitive = &glsl::from_optimized_moments,
                    .classes = spread({unit, unit, unit, unit}, large_values()),
-                   .twin = [](const sample& s) { return turn_moments_back(s.x[0]); },
-                   .call = "umbrage_turn_moments_back(x0)"});
+                   .twin = [](const sample& s) { return from_optimized_moments(s.x[0]); },
+                   .call = "umbrage_from_optimized_moments(x0)"});
     auto classes = all_kinds({both, unit, both, unit, unit}, values_of_moments(), {share, target});
     classes.push_back(windows(texel, {share, target}));
     all.push_back({.primitive = &glsl::bias_moments,

@@ -77,10 +77,10 @@ void add_light_point_cube_map(std::vector<entry>& all) {
                    .classes = points_on_faces(),
                    .twin = [](const sample& s) { return vec4(cube_point(s.x[0].z, vec3(vec2(s.x[0]), 2.0f)), 1.0f); },
                    .call = "vec4(umbrage_cube_point(x0.z, vec3(x0.x, x0.y, 2.0)), 1.0)"});
-    all.push_back({.primitive = &glsl::cube_neighbour,
+    all.push_back({.primitive = &glsl::cube_neighbor,
                    .classes = {{"inside and beyond", cube_texels}},
-                   .twin = [](const sample& s) { return vec4(cube_neighbour(vec3(s.x[0]), s.x[0].w), 1.0f); },
-                   .call = "vec4(umbrage_cube_neighbour(vec3(x0.x, x0.y, x0.z), x0.w), 1.0)"});
+                   .twin = [](const sample& s) { return vec4(cube_neighbor(vec3(s.x[0]), s.x[0].w), 1.0f); },
+                   .call = "vec4(umbrage_cube_neighbor(vec3(x0.x, x0.y, x0.z), x0.w), 1.0)"});
     all.push_back({.primitive = &glsl::cube_coordinate,
                    .classes = directions(),
                    .twin = [](const sample& s) { return vec4(cube_coordinate(vec3(s.x[0])), 1.0f); },

@@ -1,0 +1,22 @@
+// umbrage 0.1.0, from_optimized_moments: four channels of 16 bits to four moments. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
+#define UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+inline float4 umbrage_from_optimized_moments(float4 o) {
+    float x = o.x - 0.5;
+    float z = o.z - 0.5;
+    float eighth = o.y * 0.125;
+    float b1 = z * 1.73205078 - x * 0.333333343;
+    float b2 = o.w + eighth;
+    float b3 = z * 1.29903817 - x * 0.75;
+    float b4 = o.w - eighth;
+    return float4(b1, b2, b3, b4);
+}
+#endif

@@ -1,0 +1,16 @@
+// umbrage 0.1.0, reduce_light_bleeding: visibility without its least values. Exactness: tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_REDUCE_LIGHT_BLEEDING
+#define UMBRAGE_HAS_REDUCE_LIGHT_BLEEDING
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+inline float umbrage_reduce_light_bleeding(float visibility, float amount) {
+    float stretched = (visibility - amount) / (1.0 - amount);
+    return visibility > amount ? stretched : 0.0;
+}
+#endif

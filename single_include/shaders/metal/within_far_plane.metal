@@ -1,0 +1,15 @@
+// umbrage 0.1.0, within_far_plane: receivers up to the far plane, NaN is none. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_within_far_plane(float receiver) {
+    return receiver <= 1.0;
+}
+#endif
