@@ -12,6 +12,8 @@ export interface Snippet {
     readonly exactness: Exactness;
     readonly operations: number;
     readonly within: number;
+    /** `within` holds in written order alone. */
+    readonly as_written: boolean;
     readonly lowest: '100' | '300 es';
     readonly needs: readonly Snippet[];
 }

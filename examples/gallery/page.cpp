@@ -56,12 +56,9 @@ std::string tier_of(const glsl::snippet& s) {
     switch (s.exactness) {
         case glsl::tier::a: return "Tier A: the same bits as umbrage::" + std::string(s.name) + " in C++, everywhere";
         case glsl::tier::b:
-            return "Tier B: the same bits as in C++ where + - * round to nearest in written order, elsewhere within " +
-                   std::to_string(s.operations) + " 2^-23 S";
-        case glsl::tier::c:
-            if (s.within > 0.0f)
-                return "Tier C: within 1/" + std::to_string(static_cast<int>(1.0f / s.within)) + " of C++";
-            return "Tier C: within " + std::to_string(s.operations) + " 2^-23 S";
+            return "Tier B: the same bits as in C++ where + - * round to nearest in written order, elsewhere " +
+                   glsl::bound_in_words(s);
+        case glsl::tier::c: return "Tier C: " + glsl::bound_in_words(s);
     }
     return {};
 }

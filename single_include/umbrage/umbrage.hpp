@@ -170,9 +170,11 @@ namespace umbrage::glsl {
 ///   b  bit for bit where + - * round to nearest in written order; in any order, fused or not, within the bound
 ///   c  within the bound on every implementation, or within snippet::within of C++
 /// The bound is n 2^-23 S from the result in real arithmetic. n is snippet::operations. S is the formula with every
-/// value's magnitude and every minus a plus; a quotient a / b has S(a) S(b) / b^2. Where denormals are flushed, a
-/// product counts at least 2^-103 times its factors above 1. Where a comparison or floor decides, the bound is on what
-/// it decides about, and inside it either side is promised. There is no bound where S is above the greatest float.
+/// value's magnitude and every minus a plus; a quotient a / b has S(a) S(b) / b^2, a root of a has S(a) / sqrt(a), and
+/// min and max have the greater S. A C++ function's comment spells S out where its formula does not show it. Where
+/// denormals are flushed, a product counts at least 2^-103 times its factors above 1. Where a comparison or floor
+/// decides, the bound is on what it decides about, and inside it either side is promised. There is no bound where S is
+/// above the greatest float.
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -271,14 +273,21 @@ struct snippet {
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
 
-/// What a snippet promises in a word, e.g. "A", "B, n = 6", "C, 1/128".
+/// What a snippet promises in a word, e.g. "A", "B, n = 6", "C, within 1/128".
 [[nodiscard]] inline std::string promise(const snippet& s) {
     if (s.exactness == tier::a) return "A";
     std::string text = s.exactness == tier::b ? "B, " : "C, ";
     if (s.within > 0.0f)
-        text += "1/" + std::to_string(static_cast<int>(1.0f / s.within)) + (s.as_written ? " as written" : "");
+        text += "within 1/" + std::to_string(static_cast<int>(1.0f / s.within)) + (s.as_written ? " as written" : "");
     else text += "n = " + std::to_string(s.operations);
     return text;
+}
+
+/// The bound of tiers B and C in words.
+[[nodiscard]] inline std::string bound_in_words(const snippet& s) {
+    if (s.within == 0.0f) return "within " + std::to_string(s.operations) + " x 2^-23 x S of the exact result.";
+    return "within 1/" + std::to_string(static_cast<int>(1.0f / s.within)) + " of C++" +
+           (s.as_written ? " as written. Reordered: no bound, but a visibility is in [0, 1]." : ".");
 }
 
 /// Those that one needs.
@@ -643,7 +652,7 @@ template <real T, class Compare = less_equal>
 /// Visibility as the DirectX SDK's ShadowMap sample tests it.
 /// @param receiver, stored   depths;   epsilon  in depth, added to the stored side
 /// @return        0 when stored + epsilon < receiver, else 1: NaN is lit here
-/// @exactness     B, n = 1: one sum
+/// @exactness     B, n = 1: one sum. S = |stored| + |epsilon|
 /// @cite          Microsoft DirectX SDK, ShadowMap sample
 template <real T>
 [[nodiscard]] constexpr T compare_dx_sdk(T receiver, T stored, T epsilon) {
@@ -654,7 +663,7 @@ template <real T>
 /// Visibility as the directional-light exercise tests it.
 /// @param current, stored    depths;   epsilon  in depth, added to the stored side
 /// @return        1 when current < stored + epsilon, else 0: NaN is in shadow here
-/// @exactness     B, n = 1: one sum
+/// @exactness     B, n = 1: one sum. S = |stored| + |epsilon|
 template <real T>
 [[nodiscard]] constexpr T compare_exercise(T current, T stored, T epsilon) {
     const T limit = stored + epsilon;
@@ -1235,7 +1244,8 @@ namespace umbrage {
 /// @formula           width min(|normal x direction| / -(normal . way), greatest), a tangent: up to the greatest one,
 ///                    acne_free_bias without its constant part, times 1 to sqrt(2), whichever way the plane is turned
 /// @detaches          casters nearer than the bias along the light lose their shadow: at most width greatest
-/// @exactness         C, n = 30: a square root and a division
+/// @exactness         C, n = 30: a square root and a division. S = width s^2 c / (|normal x direction| (normal .
+///                    way)^2) with s, c for |normal x direction|, |normal . way| of magnitudes and pluses
 template <real T>
 [[nodiscard]] T kernel_bias(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width, T greatest) {
     const T x = normal.y * direction.z + normal.z * -direction.y;
@@ -1713,7 +1723,7 @@ template <real T>
 /// The division: what filters take.
 /// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
 ///                which every filter takes as lit
-/// @exactness     C, n = 3: divisions
+/// @exactness     C, n = 3: divisions. S = the result's magnitude
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
     if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
@@ -1945,7 +1955,8 @@ template <real T>
 ///                      texel tan t. Enough for a directional light; for a spot where the normal looks against its axis
 /// @detaches            as width tan t + error_world along the light: on a floor beside a wall that stands square to it
 ///                      light leaks in for up to width tan t sin t
-/// @exactness           C, n = 91: a square root
+/// @exactness           C, n = 91: a square root. S = |normal| (width s^2 / |normal x direction| + error_world c), with
+///                      s, c for |normal x direction|, |normal . way| of magnitudes and pluses
 template <real T>
 [[nodiscard]] glm::vec<3, T> normal_offset(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width,
                                            T error_world) {
@@ -2120,7 +2131,7 @@ template <real T>
 /// @param world          a point on the plane
 /// @return               slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on and for NaN
 /// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
-/// @exactness            C, n = 27: two divisions
+/// @exactness            C, n = 27: two divisions. S = S(q.xy) S(q.z) / q.z^2, S(q) of the product's magnitudes
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                    glm::vec<3, T> world) {
@@ -2229,7 +2240,8 @@ namespace umbrage {
 ///                 than 2^-10, so that nothing is known of the slope; and for NaN
 /// @formula        by Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096,
 ///                 with s / |determinant|, s the sum of the four magnitudes, for 1 / least texels a pixel
-/// @exactness      C, n = 31: divisions
+/// @exactness      C, n = 31: divisions. S of x = (|dy.y dx.z| + |dx.y dy.z|) d / determinant^2, of y likewise, of z =
+///                 3.3 (2^-25 + (S(x) + S(y)) 2^-13) s d / determinant^2, d = |dx.x dy.y| + |dx.y dy.x|
 /// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> receiver_plane_slope(glm::vec<3, T> dx, glm::vec<3, T> dy) {
@@ -2696,8 +2708,8 @@ template <class Fetch>
 /// @param fetch   ivec2 texel -> stored depth
 /// @param size    of the map, in texels
 /// @param uv      from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness     C, n = 4: the fetched depth, but at borders between texels: a sampler takes the nearest to what it
-///                rounds its coordinates to, 2^-10 texel off in a map of 8192
+/// @exactness     C, n = 4, S = uv size: the fetched depth, but at borders between texels: a sampler takes the nearest
+///                to what it rounds its coordinates to, 2^-10 texel off in a map of 8192
 template <real T, class Fetch>
 [[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
     return T(fetch(glm::ivec2(glm::floor(uv * size))));
@@ -2920,7 +2932,7 @@ template <real T>
 /// @param z, w    clip coordinates
 /// @param cleared cleared_depth of the clip space: 1, or 0 when reversed
 /// @return        z / w; cleared, which is far, for w <= 0 (not in front of the light) and NaN in w
-/// @exactness     C, n = 3: one division
+/// @exactness     C, n = 3: one division. S = |z / w|
 template <real T>
 [[nodiscard]] constexpr T project_depth(T z, T w, T cleared) {
     return w > T(0) && !is_nan(w) ? z / w : cleared;
@@ -2958,7 +2970,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (1 - depth (1 - n / f))
-/// @exactness             C, n = 8: two divisions. At depth near 1, the last bits of depth decide the distance
+/// @exactness             C, n = 8: two divisions. S = n (1 + depth (1 + n / f)) / (1 - depth (1 - n / f))^2
 template <real T>
 [[nodiscard]] constexpr T view_z_from_depth(T depth, T z_near, T z_far) {
     return z_near / (T(1) - depth * (T(1) - z_near / z_far));
@@ -2970,7 +2982,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (1 - n / z) / (1 - n / f)
-/// @exactness             C, n = 10: three divisions
+/// @exactness             C, n = 10: three divisions. S = (1 + n / z) (1 + n / f) / (1 - n / f)^2
 template <real T>
 [[nodiscard]] constexpr T depth_from_view_z(T z_view, T z_near, T z_far) {
     return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
@@ -2983,7 +2995,7 @@ template <real T>
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (n / f + depth (1 - n / f)): within 3 ulp of the distance for depth in [0, 1], as nothing
 ///                        cancels; by way of 1 - depth thousands of ulp are lost far out
-/// @exactness             C, n = 11: two divisions
+/// @exactness             C, n = 11: two divisions. S = n (n / f + depth (1 + n / f)) / (n / f + depth (1 - n / f))^2
 template <real T>
 [[nodiscard]] constexpr T view_z_from_reversed_depth(T depth, T z_near, T z_far) {
     return z_near / (z_near / z_far + depth * (T(1) - z_near / z_far));
@@ -2995,7 +3007,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z/w in [0, 1], 1 at the near plane; not clamped
 /// @formula               n / z (1 - z / f) / (1 - n / f)
-/// @exactness             C, n = 13: four divisions
+/// @exactness             C, n = 13: four divisions. S = n / z (1 + z / f) (1 + n / f) / (1 - n / f)^2
 template <real T>
 [[nodiscard]] constexpr T reversed_depth_from_view_z(T z_view, T z_near, T z_far) {
     return z_near / z_view * (T(1) - z_view / z_far) / (T(1) - z_near / z_far);
@@ -3018,7 +3030,7 @@ template <real T>
 /// @param z_near, z_far   z_near < z_far; when reversed, exchange the two
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (z - n) / (f - n)
-/// @exactness             C, n = 5: one division
+/// @exactness             C, n = 5: one division. S = (z + n) (f + n) / (f - n)^2
 template <real T>
 [[nodiscard]] constexpr T orthographic_depth_from_view_z(T z_view, T z_near, T z_far) {
     return (z_view - z_near) / (z_far - z_near);
@@ -4474,7 +4486,8 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param epsilon    in depth, added to the stored side of each comparison
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
-/// @exactness        B, n = 20
+/// @exactness        B, n = 20: S = (1 + 2 g.x) (1 + 2 g.y), g = coord + 1/2 + floor(coord - 1/2), twice coord or
+///                   so, as a weight is a difference of coordinates
 /// @cite             Microsoft DirectX SDK, ShadowMap sample
 template <real T, class Fetch>
 [[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
@@ -4601,7 +4614,7 @@ namespace umbrage {
 /// What filters ask of a map whose sampler weighs comparisons, and what other maps give in its place: pcf_2x2.
 /// @param coord   no NaN; what is outside texel space counts as its border
 /// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
-/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours. With b bits
+/// @exactness     C, within 1/128: either axis' weight is the hardware's, within 1/256 of ours. With b bits
 ///                of weight it is 2^(1 - b): Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), others state
 ///                none
 template <real T, class Fetch, class Compare = less_equal>
@@ -4612,7 +4625,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// lit_filtered at a point in shares of the map's size: what a sampler takes, where the map is all of its texture.
 /// @param size   of the map, in texels
 /// @param uv     from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness    C, within 1/128 in a shader, as lit_filtered
+/// @exactness    C, within 1/128, as lit_filtered
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver, Compare is_lit = {}) {
     return lit_filtered(fetch, uv * size, receiver, is_lit);
@@ -4620,7 +4633,7 @@ template <real T, class Fetch, class Compare = less_equal>
 
 /// What the sampler gives, but for the rounding of its weights: pcf_2x2.
 /// @return        visibility, 0 in shadow, 1 lit
-/// @exactness     C, within 1/128 in a shader, as lit_filtered
+/// @exactness     C, within 1/128, as lit_filtered
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return pcf_2x2(fetch, coord, receiver, is_lit);
@@ -4727,7 +4740,7 @@ template <real T>
 /// @param rotation   as disc_rotation gives it
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          mean of pcf_2x2(disc_position) over disc_points
-/// @exactness        C, within 1/128 in a shader as pcf_2x2_hardware: the mean is off by no more than each of its parts
+/// @exactness        C, within 1/128 as pcf_2x2_hardware: the mean is off by no more than each of its parts
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
@@ -4845,7 +4858,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param rotation   as disc_rotation gives it; not a number: none found
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
-/// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at
+/// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at. S is disc_position's
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
                                                glm::vec<2, T> rotation, Compare is_lit = {}) {
@@ -4868,7 +4881,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
 /// @return           in texels, from min_radius / 16 to max_radius / 16; the former for what is NaN
 /// @formula          |receiver - mean| 4096 per_code, clamped
-/// @exactness        C, n = 6: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
+/// @exactness        C, within 1/1024: a mean off by 4 ulp moves it by 2^-9 per_code, up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr T pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<3, T> softness, Compare is_lit = {}) {
@@ -5086,7 +5099,7 @@ template <real T>
 /// Share of the box that is lit; arguments as for box_count.
 /// @return           visibility: 0 in shadow, 1 lit, exactly
 /// @formula          box_count / (2r+1)^2
-/// @exactness        B, n = 290: the count is exact, its product with box_scale rounds once
+/// @exactness        B, n = 290, S = the result: the count is exact, its product with box_scale rounds once
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T box(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
     const T visibility = box_count(fetch, coord, receiver, radius, is_lit) * box_scale<T>(radius);
@@ -5307,7 +5320,8 @@ namespace umbrage {
 /// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
 /// @formula            mean of [receiver <= depth_at(tap)]
-/// @exactness          C, n = 39, four_tap but at borders between texels, as depth_at
+/// @exactness          C, n = 39, four_tap but at borders between texels, as depth_at. S = uv size, or for what is out
+///                     of range the sum of all |x| + |y| in texels
 /// @cite               ATI Radeon SDK, ShadowMap sample, 2002
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T four_tap_hardware(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> a, glm::vec<2, T> b,
@@ -5505,7 +5519,7 @@ template <real T>
 /// The direction to a point of a face: cube_coordinate's inverse.
 /// @param face   0 .. 5;   st  from 0 to 1 over the face
 /// @return       its greatest component is 1 or -1
-/// @exactness    B, n = 2: 2 s - 1 rounds once
+/// @exactness    B, n = 2, S = 2 st + 1: 2 s - 1 rounds once
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
     return cube_point(face, glm::vec<3, T>(st.x * T(2) - T(1), st.y * T(2) - T(1), T(1)));
@@ -5709,7 +5723,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @return           visibility, the same on either side of an edge
 /// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
 ///                   to the nearest step, which is the same one from either side
-/// @exactness        C, n = 33: a division, by 65536 but at corners
+/// @exactness        C, n = 33: a division, by 1 but at corners. S is at most 81 / (sum of w_i)^2
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> coord(at);
@@ -6006,7 +6020,7 @@ namespace umbrage {
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          sum of w_i w_j [receiver <= fetch(texel + (i, j) - size / 2)] / (sum of the weights)^2,
 ///                   w_i = K_i + s (K_(i-1) - K_i), texel + s = coord - 1/2 for an odd size, coord for an even
-/// @exactness        C, within 1/128 in a shader: e is 1/256 of a sampler that rounds or truncates to it; on top its
+/// @exactness        C, within 1/128: e is 1/256 of a sampler that rounds or truncates to it; on top its
 ///                   coordinates round, by 2^-10 texel in a map of 8192
 /// @cite             Castano: Shadow mapping summary, part 1, 2013
 template <real T, class Fetch, class Compare = less_equal>
@@ -6407,7 +6421,8 @@ template <real T>
 /// @return        2^y: never falls where y grows; 2^y itself of whole numbers
 /// @formula       2^n (1 + c1 f + c2 f^2 + .. + c5 f^5) by Horner's scheme, n = floor(y), f = y - n; the polynomial is
 ///                2 at f = 1
-/// @exactness     B, n = 16;  off by at most 1.8e-7 of the power, over all f = k / 2^24
+/// @exactness     B, n = 16, S = 2^n (1 + c1 g + .. + c5 g^5), g = |y| + |n|;  off by at most 1.8e-7 of the power, over
+///                all f = k / 2^24
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T exp2_polynomial(T y) {
     const T x = detail::clamp_exponent(y), n = detail::floor_small(x), f = x - n;
@@ -6545,7 +6560,8 @@ template <real T>
 /// @return               visibility, 0 to 1; 0 where something is NaN, or where depths without variance lie before the
 ///                       receiver and min_variance is 0
 /// @formula              receiver <= m.x ? 1 : v / (v + (receiver - m.x)^2), v = max(m.y - m.x^2, min_variance)
-/// @exactness            C, n = 11: a division; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the
+/// @exactness            C, n = 11: a division. S = V (V + (receiver + |m.x|)^2) / (v + (receiver - m.x)^2)^2, V = m.y
+///                       + m.x^2 or min_variance; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the
 ///                       formula in reals
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
@@ -6562,7 +6578,7 @@ template <real T>
 /// darker and harder.
 /// @param amount      what becomes 0, 0 to 1; 0.2 is usual
 /// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
-/// @exactness         C, n = 5: a division
+/// @exactness         C, n = 5: a division. S = (visibility + amount) (1 + amount) / (1 - amount)^2
 template <real T>
 [[nodiscard]] constexpr T reduce_light_bleeding(T visibility, T amount) {
     const bool above = !is_nan(visibility) && !is_nan(amount) && visibility > amount;
@@ -6645,7 +6661,7 @@ enum class float_store { half, single };
 /// @param exponent   -63 to 63
 /// @return           2^-exponent to 2^exponent
 /// @formula          exp2_polynomial(exponent (2 depth - 1))
-/// @exactness        B, n = 31
+/// @exactness        B, n = 31: S is exp2_polynomial's with g = |exponent| (2 depth + 1) + |n|
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T exponential_warp(T depth, T exponent) {
     return exp2_polynomial(exponent * (depth * T(2) - T(1)));
@@ -6796,8 +6812,8 @@ template <real T>
 ///                   2 ln(2) exponent, as make_evsm has it
 /// @return           visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
 /// @formula          chebyshev(m, w, (deviation w)^2), w = exponential_warp(to_forward_depth(saturate(receiver)))
-/// @exactness        C, n = 229: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
-///                   powers
+/// @exactness        C, n = 229: a division. S is chebyshev's with S(w) for w; within 2^-24 / deviation^2 + 2^-21 of
+///                   the formula in reals of the same powers
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
@@ -6813,7 +6829,7 @@ template <real T>
 /// @param deviations  least standard deviations, as parts of the receiver's powers
 /// @return            visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
 /// @formula           the lesser of decode_evsm2's for either power
-/// @exactness         C, n = 229: a division
+/// @exactness         C, n = 229: a division. S as decode_evsm2
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                       glm::vec<2, T> deviations, T cleared = T(1)) {
@@ -6978,7 +6994,7 @@ template <real T>
 ///                       surfaces shadow themselves
 /// @return               visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
 /// @formula              chebyshev(m, to_forward_depth(receiver), min_variance)
-/// @exactness            C, n = 13: a division
+/// @exactness            C, n = 13: a division. S is chebyshev's
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T cleared = T(1)) {
@@ -6988,7 +7004,8 @@ template <real T>
 /// @param m         mean of the depths, mean of their squares
 /// @return          mean and twice the standard deviation, for depths in [0, 1] each 0 to 1; the latter 0 for NaN
 /// @formula         (m.x, 2 sqrt(max(m.y - m.x^2, 0)))
-/// @exactness       C, n = 7: a root
+/// @exactness       C, n = 7: a root. Where twice the bound of m.y - m.x^2 is above it, within 2 sqrt(m.y - m.x^2 +
+///                  that bound)
 template <real T>
 [[nodiscard]] glm::vec<2, T> encode_deviation(glm::vec<2, T> m) {
     const T variance = m.y - m.x * m.x;
@@ -7127,7 +7144,7 @@ template <real T>
 /// @param distance   from the mean to the receiver, no NaN; what is not above 0 is lit
 /// @param amount     as of reduce_light_bleeding, 0 to 1/2
 /// @formula          clamp((p - amount) / (1 - amount), 0, 1), p = variance / (variance + max(distance, 0)^2)
-/// @exactness        C, within 2^-19 in a shader: sum and product half an ulp each, of divisions GPUs promise 2.5, and
+/// @exactness        C, within 1/524288: sum and product half an ulp each, of divisions GPUs promise 2.5, and
 ///                   the cut doubles that
 template <real T>
 [[nodiscard]] constexpr T chebyshev_hardware(T variance, T distance, T amount) {
@@ -7142,7 +7159,7 @@ template <real T>
 /// @param amount         as of reduce_light_bleeding, 0 to 1/2
 /// @formula              chebyshev_hardware(max((held.y / 2)^2, min_variance), d - held.x, amount),
 ///                       d = to_forward_depth(receiver)
-/// @exactness            C, within 2^-10 in a shader: a distance off by 2^-23 moves p by at most 0.65 2^-23 /
+/// @exactness            C, within 1/1024: a distance off by 2^-23 moves p by at most 0.65 2^-23 /
 ///                       sqrt(min_variance), which the cut doubles; and chebyshev_hardware
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
@@ -7161,7 +7178,7 @@ template <real T>
 /// @param amount      as of reduce_light_bleeding, 0 to 0.3
 /// @formula           chebyshev_hardware(max(m.y - m.x^2, (deviation w)^2), w - m.x, amount),
 ///                    w = exponential_warp(to_forward_depth(clamp(receiver, 0, 1)), exponent)
-/// @exactness         C, within 1/64 in a shader. exp2 of y is promised to 3 + 2 |y| ulp; with y's own rounding on
+/// @exactness         C, within 1/64. exp2 of y is promised to 3 + 2 |y| ulp; with y's own rounding on
 ///                    either side w is off by e = (5 + 4 exponent) 2^-23 of itself, and p by 0.65 e / deviation + e.
 ///                    Moments fused or not: 2 (2^-24 / deviation^2 + 2^-21). The cut divides both by 1 - amount
 /// @cite              Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
@@ -7177,7 +7194,7 @@ template <real T>
 /// @param m           mean of encode_evsm4's texels; no NaN
 /// @param receiver    as of decode_evsm2_hardware, and so are exponents, deviations and amount
 /// @formula           the lesser of decode_evsm2_hardware's for either power
-/// @exactness         C, within 1/64 in a shader, as decode_evsm2_hardware
+/// @exactness         C, within 1/64, as decode_evsm2_hardware
 template <real T>
 [[nodiscard]] constexpr T decode_evsm4_hardware(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                 glm::vec<2, T> deviations, T amount, T cleared = T(1)) {
@@ -7328,7 +7345,8 @@ template <real T>
             (b.y + b.w) * T(0.5)};
 }
 
-/// @formula         the inverse of to_optimized_moments
+/// @formula         the inverse of to_optimized_moments: x = o.x - 1/2, z = o.z - 1/2,
+///                  (sqrt(3) z - x / 3, o.w + o.y / 8, 3/4 sqrt(3) z - 3/4 x, o.w - o.y / 8)
 /// @exactness       B, n = 5;  off by at most 2^-22 of what was turned, of rounding on both ways
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> from_optimized_moments(glm::vec<4, T> o) {
@@ -7396,7 +7414,7 @@ template <real T>
 /// @formula         D = b2 - b1^2, L = b3 - b1 b2, E = b4 - b2^2 - L l, l = L / D, h = 2 b1 - l, q(t) = (t + h) t - D;
 ///                  t the roots of a t^2 + B t + c, a = D q(x), B = x E + h a, c = D (E - a); the share at t is
 ///                  D E / (D E + t^2 E + q(t)^2 D)
-/// @exactness       C, n = 1357: five divisions and a root
+/// @exactness       C, within 1/64 as written: five divisions and a root
 template <real T>
 [[nodiscard]] glm::vec<4, T> moment_atoms(glm::vec<4, T> b, T x) {
     const detail::atom_equation<T> equation(b, x);
@@ -7405,6 +7423,7 @@ template <real T>
 
 /// Moments as moment_atoms takes them.
 /// @param bias      msm_bias_32, msm_bias_16
+/// @formula         b + ((0, bias.y, 0, bias.y) - b) bias.x
 /// @exactness       B, n = 3
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> bias_moments(glm::vec<4, T> b, glm::vec<2, T> bias) {
@@ -7418,7 +7437,7 @@ template <real T>
 ///                  those of fewer than three depths, and of NaN: 1 where the receiver is no farther than their mean,
 ///                  else 0. Of numbers that are no depths' moments: 0 to 1, and beside poles rounding decides which
 /// @formula         1 - sum of the shares of moment_atoms before the receiver
-/// @exactness       C: within 1/64 in a shader. Rounding in binary32 does to first order as much as moments do that are
+/// @exactness       C, within 1/64 as written. Rounding in binary32 does to first order as much as moments do that are
 ///                  off by (0, 1, 3, 7) 2^-24, which is at most 9 2^-24 / (bias.x e), e the least eigenvalue of the
 ///                  matrix of (0, y, 0, y), 0.199 of 0.375 and 0.159 of 0.628: 0.057 with msm_bias_16, 0.027 with a
 ///                  share of 1e-4 towards 0.375, 0.9 with msm_bias_32, of which it says little
@@ -7588,14 +7607,14 @@ namespace umbrage {
 ///                  -1 is ((1 + z) (d D + g (1 - b1)) - k) / (2 (1 + z) p), that at 1 has the sign of
 ///                  ((1 - z) (d D - g (1 + b1)) + k) q, that at f, which lies before the receiver where d > 0, is
 ///                  d^4 / (p q (x d - g)): interpolation's weights, of central moments, where few digits cancel
-/// @exactness       C, n = 173: two divisions; which depths there are is decided without one. In binary32 off, to
-///                  first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the
-///                  absolute coefficients of the polynomial of degree 4 whose mean is the share: 1 at -1, twice 0 at
-///                  f, 0 at z and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1. Rounding up
-///                  to d and g does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the share does not
-///                  change with f to first order; what follows is off by 8 2^-24 of 1 / (1 + f), 1 / (1 - f), 1 / |z
-///                  - f| or of 1 / ((1 + z) (1 + f)) at a step. Nothing holds s down for all moments: a bias of (0,
-///                  y, 0, y) is one of depths -1, 0 and 1, no help where f is 0
+/// @exactness       C, within 1/1048576 as written: two divisions; which depths there are is decided without one. In
+///                  binary32 off, to first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s
+///                  the sum of the absolute coefficients of the polynomial of degree 4 whose mean is the share: 1 at
+///                  -1, twice 0 at f, 0 at z and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1.
+///                  Rounding up to d and g does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the
+///                  share does not change with f to first order; what follows is off by 8 2^-24 of 1 / (1 + f), 1 / (1
+///                  - f), 1 / |z - f| or of 1 / ((1 + z) (1 + f)) at a step. Nothing holds s down for all moments: a
+///                  bias of (0, y, 0, y) is one of depths -1, 0 and 1, no help where f is 0
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE inline T hausdorff_share(glm::vec<4, T> b, T z) {
     const T variance = b.y - b.x * b.x, third = b.z - b.x * b.y, fourth = b.w - b.y * b.y, rest = T(1) - b.y;
@@ -7627,7 +7646,7 @@ template <real T>
 /// @return          visibility, 0 to 1, no more than decode_msm's but for rounding: at least the lit share, less bias.x
 ///                  and rounding. Where moments are those of fewer than three depths, and of NaN: as decode_msm
 /// @formula         1 - hausdorff_share where that is not negative, else decode_msm
-/// @exactness       C: within 1/64 in a shader
+/// @exactness       C, within 1/64 as written
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
 [[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
@@ -7715,7 +7734,8 @@ namespace umbrage {
 /// @return          as fetch
 /// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
 ///                  of texels below 2^111
-/// @exactness       B, n = 12;  A where texels are multiples of 2^-8 below 1
+/// @exactness       B, n = 19, S at most 9 times the greatest texel's magnitude;  A where texels are multiples of 2^-8
+///                  below 1
 template <real T, class Fetch>
 [[nodiscard]] auto fetch_bilinear(Fetch&& fetch, glm::vec<2, T> coord) {
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);
@@ -7743,7 +7763,7 @@ template <real T, class Fetch, class Decode>
 /// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @formula          decode_vsm of fetch_bilinear
-/// @exactness        C, n = 109: a division
+/// @exactness        C, n = 165: a division. S is decode_vsm's with S of fetch_bilinear for the texels
 template <real T, class Fetch>
 [[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -7751,7 +7771,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_esm.
-/// @exactness        B, n = 49
+/// @exactness        B, n = 56, S likewise
 template <real T, class Fetch>
 [[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -7759,7 +7779,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_evsm2.
-/// @exactness        C, n = 139: a division
+/// @exactness        C, n = 267: a division. S likewise
 template <real T, class Fetch>
 [[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -7767,7 +7787,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_evsm4.
-/// @exactness        C, n = 139: a division
+/// @exactness        C, n = 267: a division. S likewise
 template <real T, class Fetch>
 [[nodiscard]] T evsm4(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> exponents,
                       glm::vec<2, T> deviations, T cleared = T(1)) {
@@ -7776,7 +7796,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_msm.
-/// @exactness        C: within 1/64 in a shader
+/// @exactness        C, within 1/64 as written
 template <real T, class Fetch>
 [[nodiscard]] T msm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -7784,7 +7804,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of to_optimized_moments(encode_msm).
-/// @exactness        C: within 1/64 in a shader
+/// @exactness        C, within 1/64 as written
 template <real T, class Fetch>
 [[nodiscard]] T msm_unorm16(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared, [&](glm::vec<4, T> o) {
@@ -7793,7 +7813,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
-/// @exactness        C, n = 22861: as decode_msm_hausdorff
+/// @exactness        C, within 1/64 as written, as decode_msm_hausdorff
 template <real T, class Fetch>
 [[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -7806,7 +7826,7 @@ inline constexpr snippet fetch_bilinear{
     .name = "fetch_bilinear",
     .summary = "mean of the four texels around a point",
     .exactness = tier::b,
-    .operations = 12,
+    .operations = 19,
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
@@ -7833,7 +7853,7 @@ inline constexpr snippet vsm{
     .name = "vsm",
     .summary = "visibility from a map of encode_vsm's texels",
     .exactness = tier::c,
-    .operations = 109,
+    .operations = 165,
     .needs = list<&in_filter_domain, &fetch_bilinear, &decode_vsm>,
     .source = R"GLSL(
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
@@ -7853,7 +7873,7 @@ inline constexpr snippet esm{
     .name = "esm",
     .summary = "visibility from a map of encode_esm's texels",
     .exactness = tier::b,
-    .operations = 49,
+    .operations = 56,
     .needs = list<&in_filter_domain, &fetch_bilinear, &decode_esm>,
     .source = R"GLSL(
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
@@ -7873,7 +7893,7 @@ inline constexpr snippet evsm2{
     .name = "evsm2",
     .summary = "visibility from a map of encode_evsm2's texels",
     .exactness = tier::c,
-    .operations = 139,
+    .operations = 267,
     .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm2>,
     .source = R"GLSL(
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
@@ -7894,7 +7914,7 @@ inline constexpr snippet evsm4{
     .name = "evsm4",
     .summary = "visibility from a map of encode_evsm4's texels",
     .exactness = tier::c,
-    .operations = 139,
+    .operations = 267,
     .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm4>,
     .source = R"GLSL(
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
@@ -8106,8 +8126,8 @@ namespace umbrage {
 /// @param half_width   columns of either half
 /// @param first        of the box: lowest column and row;   end  highest and one, first < end
 /// @formula            (a - b - c + d) mod 2^32 over the number of texels
-/// @exactness          C, n = 19: a division; its dividend is the sum to half an ulp, while that is below 2^32, however
-///                     often the table has wrapped
+/// @exactness          C, n = 19: a division. S is below 2^36 (first + end).x (first + end).y / texels^2, and the
+///                     dividend is the sum to half an ulp, while that is below 2^32, however often the table wrapped
 template <real T, class Fetch>
 [[nodiscard]] glm::vec<4, T> box_mean(Fetch&& table, int half_width, glm::ivec2 first, glm::ivec2 end) {
     const auto part = [&](int right) {
@@ -8132,7 +8152,7 @@ template <real T, class Fetch>
 /// @param bias       msm_bias_16
 /// @return           visibility: at least the lit share of the box, less bias.x and decode_msm's error
 /// @formula          decode_msm of box_mean / 65535, turned back
-/// @exactness        C: within 1/64 in a shader
+/// @exactness        C, within 1/64 as written
 /// @cite             Peters, Klein: Moment shadow mapping, I3D 2015; Crow: Summed-area tables for texture mapping,
 ///                   SIGGRAPH 1984
 template <real T, class Fetch>
@@ -8270,7 +8290,7 @@ template <real T, class Fetch>
 /// @param codes      2^bits of the table
 /// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit share
 /// @formula          m, v mean and variance of the codes + 1: d = codes receiver - m; d <= 0 ? 1 : v / (v + d^2)
-/// @exactness        C: two divisions, on numbers that do not cancel; within 2^-16, as d is off by 2^-23 where v is at
+/// @exactness        C, within 1/65536: two divisions, on numbers that do not cancel; d is off by 2^-23 where v is at
 ///                   least 1/64^2
 /// @cite             Lauritzen: Summed-area variance shadow maps, GPU Gems 3, 2007; Donnelly, Lauritzen: Variance
 ///                   shadow maps, I3D 2006
@@ -8496,7 +8516,7 @@ template <real T>
 /// @param per_texel    weight a texel: 1 / width of the band along the border
 /// @return             0 .. 1 in steps of 1/256; NaN gives 0
 /// @formula            1 - (distance from the border - reach) per_texel, where the border is nearest
-/// @exactness          B, n = 8
+/// @exactness          B, n = 8: S = (|coordinate| + size + reach) per_texel + 1
 template <real T>
 [[nodiscard]] T cascade_border_fade(glm::vec<2, T> coordinate, glm::vec<2, T> size, T reach, T per_texel) {
     const glm::vec<2, T> half = size * T(0.5);
@@ -8702,7 +8722,7 @@ template <real T>
 
 /// True for a coordinate whose filter stays inside the map, between the near and the far plane.
 /// @param size    of the map, in texels;   reach  of the filter, in texels
-/// @exactness     B, n = 2: differences, exact where size and reach are multiples of 1/16
+/// @exactness     B, n = 2, S = size + reach: differences, exact where size and reach are multiples of 1/16
 template <real T>
 [[nodiscard]] constexpr bool inside_cascade(glm::vec<3, T> coordinate, glm::vec<2, T> size, T reach) {
     const auto within = [](T low, T v, T high) { return !is_nan(v) && v >= low && v <= high; };
@@ -8717,7 +8737,7 @@ template <real T>
 /// @return                 (x, y) in texels, depth, number; (65536, 65536, 0, 4), which every filter takes as lit,
 ///                         where none holds it: shaders read a texel all the same, so that the layer must be one that
 ///                         is there, min(number, 3)
-/// @exactness              B, n = 4
+/// @exactness              B, n = 4: S as cascade_coordinate and inside_cascade
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
                                                              const glm::mat<4, 4, T>& offsets, glm::vec<2, T> size,
@@ -8974,7 +8994,7 @@ namespace umbrage {
 /// @param position   in clip space
 /// @param at_near    z/w of the near plane, near_depth: 0, -1 or 1, where 1 says that depth is reversed
 /// @return           z = max(z, at_near w), or min for reversed depth; a NaN in z stays
-/// @exactness        B, n = 1: selects; where denormals compare as zeros, those before the plane stay
+/// @exactness        B, n = 1, S = |at_near w|: selects; where denormals compare as zeros, those before the plane stay
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> pancake(glm::vec<4, T> position, T at_near) {
     const T plane = at_near * position.w;
@@ -9127,7 +9147,7 @@ template <real T>
 /// @return            (x w, y w, distance w, w): x and y from -1 to 1 in the map's half, farther out beyond it; w is 0
 ///                    in the middle of the other half, and never below
 /// @formula           w = |p| + z, of map 1 |p| - z
-/// @exactness         C, n = 18: a square root
+/// @exactness         C, n = 18: a square root. S of w = |p| + |z|, of z that times |p|; x and y are exact
 template <real T>
 [[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
     const bool behind = map > T(0.5);
@@ -9305,7 +9325,7 @@ template <real T>
 /// A direction in its face's own axes.
 /// @return        (aside, up, away): along the face's base, to the right for who looks along the face with its apex
 ///                above; up in the world, of faces 2 and 3 down; away from the other face of the same two, >= 0
-/// @exactness     B, n = 1: tetrahedron_face, then selects
+/// @exactness     B, n = 1: S of tetrahedron_face, then selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_plane(glm::vec<3, T> direction) {
     const int face = tetrahedron_face(direction);
@@ -9340,7 +9360,7 @@ template <real T>
 /// @return         texels; face 0's base is the first row, 1's the last, 2's the last column, 3's the first
 /// @formula        of face 0 (h + (h - 3 b) s, b + (h - 3 b) t), h = size / 2: b texels aside in x and in y are 3 b on
 ///                 a base from its corners and 2 b at the apex; the other faces' turned by quarters
-/// @exactness      B, n = 9
+/// @exactness      B, n = 9: S = h + (h + 3 b) |s|, 2 h + b + (h + 3 b) t
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_texel(glm::vec<3, T> at, T size, T border) {
     const T half = size * T(0.5), scale = half - border * T(3);
@@ -19537,13 +19557,16 @@ public:
         return std::move(text_);
     }
 
-    /// The worst tier of what the text holds.
-    [[nodiscard]] tier exactness() && {
-        tier worst = tier::a;
+    /// The worst promise of what the text holds.
+    [[nodiscard]] snippet worst() && {
+        snippet all{.name = {}, .source = ""};
         for_each([&](const snippet& s, const bound&, const std::string&) {
-            if (worst < s.exactness) worst = s.exactness;
+            all.exactness = umbrage::detail::greater(all.exactness, s.exactness);
+            all.operations = umbrage::detail::greater(all.operations, s.operations);
+            all.within = umbrage::detail::greater(all.within, s.within);
+            all.as_written = all.as_written || s.as_written;
         });
-        return worst;
+        return all;
     }
 
 private:
@@ -19595,12 +19618,24 @@ private:
     std::vector<part> done_;
 };
 
-/// A line of comment that says when results differ from C++'s; empty for a text of tier A or a language with `precise`.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string order_note(const language& l, tier exactness) {
-    if (exactness == tier::a || l.may_reorder.empty()) return {};
-    return std::string("// Tier ") + (exactness == tier::b ? "B: " : "C: ") + std::string(l.may_reorder) +
-           " lets compilers fuse or reorder sums. Results then stay within the stated bound.\n";
+/// Lines of comment that bound what each function returns; none for a text of tier A.
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string bounds_note(const language& l, const std::vector<bound>& items) {
+    std::string lines;
+    for (const bound& item : items) {
+        const snippet worst = composition<Use>(l, {item}).worst();
+        if (worst.exactness == tier::a) continue;
+        const std::string line = "// " + std::string(item.what.name) + item.suffix +
+                                 (worst.exactness == tier::b ? ", tier B: " : ", tier C: ") + bound_in_words(worst) +
+                                 '\n';
+        if (lines.find(line) == lines.npos) lines += line;
+    }
+    if (lines.find(" x S ") != lines.npos)
+        lines +=
+            "// S is the formula with the magnitude of every value and a plus for every minus.\n"
+            "// Inside the bound, a comparison or floor may fall on either side.\n";
+    if (lines.empty() || l.may_reorder.empty()) return lines;
+    return "// " + std::string(l.may_reorder) + " lets compilers fuse or reorder sums.\n" + lines;
 }
 
 /// A line that names what follows, then it.
@@ -19615,7 +19650,7 @@ template <class Use = umbrage::detail::on_use>
         if (names.find(' ' + name) == names.npos) names += name;
     }
     names.resize(names.size() - 2);
-    return title + names + '\n' + order_note<Use>(l, composition<Use>(l, items).exactness()) + std::string(l.prelude) +
+    return title + names + '\n' + bounds_note<Use>(l, items) + std::string(l.prelude) +
            composition<Use>(l, items).text();
 }
 
@@ -19836,11 +19871,11 @@ template <class Use = umbrage::detail::on_use>
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] tier exactness(std::span<const bound> items) {
-    return detail::composition<Use>(detail::glsl_language<Use>, {items.begin(), items.end()}).exactness();
+    return detail::composition<Use>(detail::glsl_language<Use>, {items.begin(), items.end()}).worst().exactness;
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] tier exactness(std::initializer_list<bound> items) {
-    return detail::composition<Use>(detail::glsl_language<Use>, items).exactness();
+    return detail::composition<Use>(detail::glsl_language<Use>, items).worst().exactness;
 }
 
 /// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
@@ -20534,7 +20569,7 @@ namespace umbrage {
 /// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, a fault
 /// @return        UNORM values
 /// @formula       e_i = fract(255^i depth), each less 1/255 of the next
-/// @exactness     B, n = 6
+/// @exactness     B, n = 6: S is at most 4 255^i depth, as fract is v - floor(v)
 /// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_base255(T depth, T cleared = T(1)) {
@@ -20557,7 +20592,7 @@ template <real T>
 
 /// A writer without the faults, for decode_base255 on the other side: the digits of depth in base 255.
 /// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
-/// @exactness     B, n = 7
+/// @exactness     B, n = 7: S of what makes digit i by its floor is at most 255 510^i depth
 template <real T>
 [[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T cleared = T(1)) {
     T rest = saturate(depth, cleared) * T(255);
@@ -20696,7 +20731,7 @@ namespace umbrage {
 /// Three whole bytes, R most significant, and the fraction that is left in A.
 /// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed; 1 gives all ones
 /// @return        UNORM values
-/// @exactness     B, n = 5
+/// @exactness     B, n = 5: S = R, G, at most 3/255 2^24 depth for B; A is exact
 /// @cite          three.js r167 and later, packing chunk (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T cleared = T(1)) {
@@ -20718,7 +20753,9 @@ template <real T>
     return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
 }
 
-/// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
+/// Two whole bytes and the fraction that is left in B.
+/// @exactness    B, n = 3: S = R, at most 2/255 2^16 depth for G; B is exact
+/// @cite         three.js r167 and later (format)
 template <real T>
 [[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T cleared = T(1)) {
     const T v = saturate(depth, cleared);
@@ -20729,13 +20766,16 @@ template <real T>
     return {high * T(1.0 / 255.0), (whole - high * T(256)) * T(1.0 / 255.0), x - whole};
 }
 
-/// @formula      255/256 (R + G/2^8) + B/2^16       @exactness B
+/// @formula      255/256 (R + G/2^8) + B/2^16
+/// @exactness    B, n = 5
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_rgb(glm::vec<3, T> c) {
     return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(1.0 / 65536.0);
 }
 
-/// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
+/// One whole byte and the fraction that is left in G.
+/// @exactness    B, n = 1: S = R; G is exact
+/// @cite         three.js r167 and later (format)
 template <real T>
 [[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T cleared = T(1)) {
     const T v = saturate(depth, cleared);
@@ -20745,7 +20785,8 @@ template <real T>
     return {whole * T(1.0 / 255.0), x - whole};
 }
 
-/// @formula      255/256 R + G/2^8                  @exactness B
+/// @formula      255/256 R + G/2^8
+/// @exactness    B, n = 3
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_rg(glm::vec<2, T> c) {
     return c.x * T(255.0 / 256.0) + c.y * T(1.0 / 256.0);
@@ -20948,7 +20989,7 @@ namespace umbrage {
 
 /// The layout of r73 to r166: A most significant, channels scaled by 256/255.
 /// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
-/// @exactness     B, n = 7
+/// @exactness     B, n = 7: S of R, G, B, A is at most 256/255 depth times 2^25, 2^18, 2^10, 3
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T cleared = T(1)) {
@@ -20960,7 +21001,8 @@ template <real T>
             (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0), (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
 }
 
-/// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)   @exactness B
+/// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)
+/// @exactness    B, n = 7
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_legacy(glm::vec<4, T> c) {
     return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) +

@@ -136,10 +136,9 @@ inline std::string map_of(const shader_language& l, const glsl::bound& item) {
 /// What stands above a text, in place of its first line.
 inline std::string with_head(const shader_language& l, const std::string& copyright, const std::string& name,
                              std::string_view summary, const std::vector<glsl::bound>& items, const std::string& text) {
-    const glsl::tier exactness = glsl::exactness(items);
-    const std::string note = glsl::detail::order_note(*l.words, exactness);
+    const std::string note = glsl::detail::bounds_note(*l.words, items);
     std::string head = comment("umbrage " + version + ", " + name + ": " + std::string(summary) + ". Exactness: tier " +
-                               "ABC"[static_cast<int>(exactness)] + '.');
+                               "ABC"[static_cast<int>(glsl::exactness(items))] + '.');
     head += note;
     head += "// SPDX-License-Identifier: MIT\n";
     head += "// " + copyright + ". License text: LICENSE in the umbrage repository.\n";

@@ -31,8 +31,11 @@ for (const { language, file, name, text, lines, head } of files) {
     const tier = snippets[name]?.exactness.toUpperCase();
     if (tier && language !== 'wgsl') check(head.includes(`Exactness: tier ${tier}.`), file, `tier ${tier}`);
     const reordered = { glsl: 'GLSL below 400 and 320 es', wgsl: 'WGSL', wgsl_joined: 'WGSL' }[language];
-    const note = tier && tier !== 'A' && reordered ? 1 : 0;
-    if (tier) check(text.split(`\n// Tier ${tier}: ${reordered} lets compilers`).length === 1 + note, file, 'what is forbidden');
+    const note = reordered && tier && tier !== 'A' ? 1 : 0;
+    if (tier) check(text.split(`\n// ${reordered} lets compilers`).length === 1 + note, file, 'what is forbidden');
+    const { operations, within } = snippets[name] ?? {};
+    const bound = within ? `1/${1 / within} of C++` : `${operations} x 2^-23 x S of`;
+    if (tier) check(head.includes(`\n// ${name}, tier ${tier}: within ${bound}`) === (tier !== 'A'), file, 'its bound');
     for (const [, macro] of text.matchAll(/^#ifn?def (UMBRAGE_(?!HAS_|HIGHP|PRECISE)\w+)$/gm))
         check(head.includes(`\n//   ${macro}`), file, `option ${macro}`);
     const reads = ['fetch_depth', 'lit_texel'].some(hook => new RegExp(`umbrage_${hook}\\w*\\(`).test(text));

@@ -68,8 +68,8 @@ std::string row(const snippet& s) {
     return "    [" + literal(id(s)) + ", " + literal(s.name) + ", " + literal(s.summary) + ", \"" +
            "abc"[static_cast<int>(exactness)] + "\", " + std::to_string(s.operations) + ", " +
            (s.within > 0.0f ? "1 / " + std::to_string(static_cast<int>(1.0f / s.within)) : "0") + ", " +
-           literal(directive(s.lowest)) + ", " + literal(role(s.role)) + ", " + (s.scaled ? "true" : "false") + ", " +
-           list(s.needs) + "],\n";
+           (s.as_written ? "true" : "false") + ", " + literal(directive(s.lowest)) + ", " + literal(role(s.role)) +
+           ", " + (s.scaled ? "true" : "false") + ", " + list(s.needs) + "],\n";
 }
 
 std::string words(const glsl::detail::texture_words& w) {
@@ -151,6 +151,7 @@ std::string names_of_encodings() {
 }
 
 std::string module_data() {
+    const std::string keys = "id, name, summary, exactness, operations, within, as_written, lowest, role, scaled";
     std::string rows, names, versions, exported;
     for_each_snippet([&](const snippet& s) { rows += row(s); });
     for (const snippet* s : glsl::registry()) names += (names.empty() ? "" : ", ") + std::string(s->name);
@@ -158,13 +159,11 @@ std::string module_data() {
         if (v != glsl::version::vulkan) versions += (versions.empty() ? "" : ", ") + literal(directive(v));
     for (const shader_language& l : languages)
         exported += "export const " + std::string(l.name) + " = in_language('" + std::string(l.name) + "');\n";
-    return "export const versions = [" + versions + "];\n\n" + languages_of_module() +
-           "\n// id, name, summary, exactness, operations, within, lowest, role, scaled, needs\nconst rows = [\n" +
-           rows +
-           "];\nconst all = new Map(rows.map(([id, name, summary, exactness, operations, within, lowest, role, "
-           "scaled]) =>\n"
-           "    [id, { id, name, summary, exactness, operations, within, lowest, role, scaled, needs: [] }]));\n"
-           "for (const [id, , , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => "
+    return "export const versions = [" + versions + "];\n\n" + languages_of_module() + "\n// " + keys +
+           ", needs\nconst rows = [\n" + rows + "];\nconst all = new Map(rows.map(([" + keys + "]) =>\n    [id, { " +
+           keys +
+           ", needs: [] }]));\n"
+           "for (const [id, , , , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => "
            "all.get(need)));\n"
            "const part = variants => Object.fromEntries([...all]\n"
            "    .filter(([id]) => id.startsWith('hooks/') === variants).map(([id, s]) => [id.replace('hooks/', ''), "

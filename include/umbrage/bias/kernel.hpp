@@ -29,7 +29,8 @@ namespace umbrage {
 /// @formula           width min(|normal x direction| / -(normal . way), greatest), a tangent: up to the greatest one,
 ///                    acne_free_bias without its constant part, times 1 to sqrt(2), whichever way the plane is turned
 /// @detaches          casters nearer than the bias along the light lose their shadow: at most width greatest
-/// @exactness         C, n = 30: a square root and a division
+/// @exactness         C, n = 30: a square root and a division. S = width s^2 c / (|normal x direction| (normal .
+///                    way)^2) with s, c for |normal x direction|, |normal . way| of magnitudes and pluses
 template <real T>
 [[nodiscard]] T kernel_bias(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width, T greatest) {
     const T x = normal.y * direction.z + normal.z * -direction.y;

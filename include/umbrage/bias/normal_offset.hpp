@@ -41,7 +41,8 @@ template <real T>
 ///                      texel tan t. Enough for a directional light; for a spot where the normal looks against its axis
 /// @detaches            as width tan t + error_world along the light: on a floor beside a wall that stands square to it
 ///                      light leaks in for up to width tan t sin t
-/// @exactness           C, n = 91: a square root
+/// @exactness           C, n = 91: a square root. S = |normal| (width s^2 / |normal x direction| + error_world c), with
+///                      s, c for |normal x direction|, |normal . way| of magnitudes and pluses
 template <real T>
 [[nodiscard]] glm::vec<3, T> normal_offset(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width,
                                            T error_world) {

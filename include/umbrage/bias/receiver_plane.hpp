@@ -34,7 +34,8 @@ namespace umbrage {
 ///                 than 2^-10, so that nothing is known of the slope; and for NaN
 /// @formula        by Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096,
 ///                 with s / |determinant|, s the sum of the four magnitudes, for 1 / least texels a pixel
-/// @exactness      C, n = 31: divisions
+/// @exactness      C, n = 31: divisions. S of x = (|dy.y dx.z| + |dx.y dy.z|) d / determinant^2, of y likewise, of z =
+///                 3.3 (2^-25 + (S(x) + S(y)) 2^-13) s d / determinant^2, d = |dx.x dy.y| + |dx.y dy.x|
 /// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> receiver_plane_slope(glm::vec<3, T> dx, glm::vec<3, T> dy) {

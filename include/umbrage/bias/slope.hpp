@@ -55,7 +55,7 @@ template <real T>
 /// @param world          a point on the plane
 /// @return               slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on and for NaN
 /// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
-/// @exactness            C, n = 27: two divisions
+/// @exactness            C, n = 27: two divisions. S = S(q.xy) S(q.z) / q.z^2, S(q) of the product's magnitudes
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                    glm::vec<3, T> world) {

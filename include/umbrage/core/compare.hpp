@@ -106,7 +106,7 @@ template <real T, class Compare = less_equal>
 /// Visibility as the DirectX SDK's ShadowMap sample tests it.
 /// @param receiver, stored   depths;   epsilon  in depth, added to the stored side
 /// @return        0 when stored + epsilon < receiver, else 1: NaN is lit here
-/// @exactness     B, n = 1: one sum
+/// @exactness     B, n = 1: one sum. S = |stored| + |epsilon|
 /// @cite          Microsoft DirectX SDK, ShadowMap sample
 template <real T>
 [[nodiscard]] constexpr T compare_dx_sdk(T receiver, T stored, T epsilon) {
@@ -117,7 +117,7 @@ template <real T>
 /// Visibility as the directional-light exercise tests it.
 /// @param current, stored    depths;   epsilon  in depth, added to the stored side
 /// @return        1 when current < stored + epsilon, else 0: NaN is in shadow here
-/// @exactness     B, n = 1: one sum
+/// @exactness     B, n = 1: one sum. S = |stored| + |epsilon|
 template <real T>
 [[nodiscard]] constexpr T compare_exercise(T current, T stored, T epsilon) {
     const T limit = stored + epsilon;

@@ -20,9 +20,11 @@ namespace umbrage::glsl {
 ///   b  bit for bit where + - * round to nearest in written order; in any order, fused or not, within the bound
 ///   c  within the bound on every implementation, or within snippet::within of C++
 /// The bound is n 2^-23 S from the result in real arithmetic. n is snippet::operations. S is the formula with every
-/// value's magnitude and every minus a plus; a quotient a / b has S(a) S(b) / b^2. Where denormals are flushed, a
-/// product counts at least 2^-103 times its factors above 1. Where a comparison or floor decides, the bound is on what
-/// it decides about, and inside it either side is promised. There is no bound where S is above the greatest float.
+/// value's magnitude and every minus a plus; a quotient a / b has S(a) S(b) / b^2, a root of a has S(a) / sqrt(a), and
+/// min and max have the greater S. A C++ function's comment spells S out where its formula does not show it. Where
+/// denormals are flushed, a product counts at least 2^-103 times its factors above 1. Where a comparison or floor
+/// decides, the bound is on what it decides about, and inside it either side is promised. There is no bound where S is
+/// above the greatest float.
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -121,14 +123,21 @@ struct snippet {
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
 
-/// What a snippet promises in a word, e.g. "A", "B, n = 6", "C, 1/128".
+/// What a snippet promises in a word, e.g. "A", "B, n = 6", "C, within 1/128".
 [[nodiscard]] inline std::string promise(const snippet& s) {
     if (s.exactness == tier::a) return "A";
     std::string text = s.exactness == tier::b ? "B, " : "C, ";
     if (s.within > 0.0f)
-        text += "1/" + std::to_string(static_cast<int>(1.0f / s.within)) + (s.as_written ? " as written" : "");
+        text += "within 1/" + std::to_string(static_cast<int>(1.0f / s.within)) + (s.as_written ? " as written" : "");
     else text += "n = " + std::to_string(s.operations);
     return text;
+}
+
+/// The bound of tiers B and C in words.
+[[nodiscard]] inline std::string bound_in_words(const snippet& s) {
+    if (s.within == 0.0f) return "within " + std::to_string(s.operations) + " x 2^-23 x S of the exact result.";
+    return "within 1/" + std::to_string(static_cast<int>(1.0f / s.within)) + " of C++" +
+           (s.as_written ? " as written. Reordered: no bound, but a visibility is in [0, 1]." : ".");
 }
 
 /// Those that one needs.

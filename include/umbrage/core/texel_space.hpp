@@ -47,8 +47,8 @@ template <class Fetch>
 /// @param fetch   ivec2 texel -> stored depth
 /// @param size    of the map, in texels
 /// @param uv      from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness     C, n = 4: the fetched depth, but at borders between texels: a sampler takes the nearest to what it
-///                rounds its coordinates to, 2^-10 texel off in a map of 8192
+/// @exactness     C, n = 4, S = uv size: the fetched depth, but at borders between texels: a sampler takes the nearest
+///                to what it rounds its coordinates to, 2^-10 texel off in a map of 8192
 template <real T, class Fetch>
 [[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
     return T(fetch(glm::ivec2(glm::floor(uv * size))));

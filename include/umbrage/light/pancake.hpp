@@ -28,7 +28,7 @@ namespace umbrage {
 /// @param position   in clip space
 /// @param at_near    z/w of the near plane, near_depth: 0, -1 or 1, where 1 says that depth is reversed
 /// @return           z = max(z, at_near w), or min for reversed depth; a NaN in z stays
-/// @exactness        B, n = 1: selects; where denormals compare as zeros, those before the plane stay
+/// @exactness        B, n = 1, S = |at_near w|: selects; where denormals compare as zeros, those before the plane stay
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> pancake(glm::vec<4, T> position, T at_near) {
     const T plane = at_near * position.w;

@@ -120,7 +120,7 @@ template <real T>
 /// The division: what filters take.
 /// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
 ///                which every filter takes as lit
-/// @exactness     C, n = 3: divisions
+/// @exactness     C, n = 3: divisions. S = the result's magnitude
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
     if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};

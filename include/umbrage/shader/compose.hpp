@@ -58,13 +58,16 @@ public:
         return std::move(text_);
     }
 
-    /// The worst tier of what the text holds.
-    [[nodiscard]] tier exactness() && {
-        tier worst = tier::a;
+    /// The worst promise of what the text holds.
+    [[nodiscard]] snippet worst() && {
+        snippet all{.name = {}, .source = ""};
         for_each([&](const snippet& s, const bound&, const std::string&) {
-            if (worst < s.exactness) worst = s.exactness;
+            all.exactness = umbrage::detail::greater(all.exactness, s.exactness);
+            all.operations = umbrage::detail::greater(all.operations, s.operations);
+            all.within = umbrage::detail::greater(all.within, s.within);
+            all.as_written = all.as_written || s.as_written;
         });
-        return worst;
+        return all;
     }
 
 private:
@@ -116,12 +119,24 @@ private:
     std::vector<part> done_;
 };
 
-/// A line of comment that says when results differ from C++'s; empty for a text of tier A or a language with `precise`.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string order_note(const language& l, tier exactness) {
-    if (exactness == tier::a || l.may_reorder.empty()) return {};
-    return std::string("// Tier ") + (exactness == tier::b ? "B: " : "C: ") + std::string(l.may_reorder) +
-           " lets compilers fuse or reorder sums. Results then stay within the stated bound.\n";
+/// Lines of comment that bound what each function returns; none for a text of tier A.
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string bounds_note(const language& l, const std::vector<bound>& items) {
+    std::string lines;
+    for (const bound& item : items) {
+        const snippet worst = composition<Use>(l, {item}).worst();
+        if (worst.exactness == tier::a) continue;
+        const std::string line = "// " + std::string(item.what.name) + item.suffix +
+                                 (worst.exactness == tier::b ? ", tier B: " : ", tier C: ") + bound_in_words(worst) +
+                                 '\n';
+        if (lines.find(line) == lines.npos) lines += line;
+    }
+    if (lines.find(" x S ") != lines.npos)
+        lines +=
+            "// S is the formula with the magnitude of every value and a plus for every minus.\n"
+            "// Inside the bound, a comparison or floor may fall on either side.\n";
+    if (lines.empty() || l.may_reorder.empty()) return lines;
+    return "// " + std::string(l.may_reorder) + " lets compilers fuse or reorder sums.\n" + lines;
 }
 
 /// A line that names what follows, then it.
@@ -136,7 +151,7 @@ template <class Use = umbrage::detail::on_use>
         if (names.find(' ' + name) == names.npos) names += name;
     }
     names.resize(names.size() - 2);
-    return title + names + '\n' + order_note<Use>(l, composition<Use>(l, items).exactness()) + std::string(l.prelude) +
+    return title + names + '\n' + bounds_note<Use>(l, items) + std::string(l.prelude) +
            composition<Use>(l, items).text();
 }
 

@@ -225,11 +225,11 @@ template <class Use = umbrage::detail::on_use>
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] tier exactness(std::span<const bound> items) {
-    return detail::composition<Use>(detail::glsl_language<Use>, {items.begin(), items.end()}).exactness();
+    return detail::composition<Use>(detail::glsl_language<Use>, {items.begin(), items.end()}).worst().exactness;
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] tier exactness(std::initializer_list<bound> items) {
-    return detail::composition<Use>(detail::glsl_language<Use>, items).exactness();
+    return detail::composition<Use>(detail::glsl_language<Use>, items).worst().exactness;
 }
 
 /// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.

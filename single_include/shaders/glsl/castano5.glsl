@@ -1,5 +1,8 @@
 // umbrage 0.1.0, castano5: sliding window 1 3 4 3 1. Exactness: tier B.
-// Tier B: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// GLSL below 400 and 320 es lets compilers fuse or reorder sums.
+// castano5, tier B: within 80 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.

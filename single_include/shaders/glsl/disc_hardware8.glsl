@@ -1,5 +1,6 @@
 // umbrage 0.1.0, disc_hardware8: disc of 8 points by a comparison sampler with a linear filter. Exactness: tier C.
-// Tier C: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// GLSL below 400 and 320 es lets compilers fuse or reorder sums.
+// disc_hardware8, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.

@@ -1,5 +1,6 @@
 // umbrage 0.1.0, hausdorff_share: least share of depths before a receiver, of depths on [-1, 1]. Exactness: tier C.
-// Tier C: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// GLSL below 400 and 320 es lets compilers fuse or reorder sums.
+// hausdorff_share, tier C: within 1/1048576 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

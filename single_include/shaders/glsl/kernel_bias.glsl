@@ -1,5 +1,8 @@
 // umbrage 0.1.0, kernel_bias: bias by the kernel's width and the angle at which light falls. Exactness: tier C.
-// Tier C: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// GLSL below 400 and 320 es lets compilers fuse or reorder sums.
+// kernel_bias, tier C: within 30 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

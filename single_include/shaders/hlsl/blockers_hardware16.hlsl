@@ -1,4 +1,7 @@
 // umbrage 0.1.0, blockers_hardware16: the same at 16 points. Exactness: tier C.
+// blockers_hardware16, tier C: within 24 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.

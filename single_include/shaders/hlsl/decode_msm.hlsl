@@ -1,4 +1,5 @@
 // umbrage 0.1.0, decode_msm: mean of four moments to visibility. Exactness: tier C.
+// decode_msm, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

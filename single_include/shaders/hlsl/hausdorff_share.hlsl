@@ -1,4 +1,5 @@
 // umbrage 0.1.0, hausdorff_share: least share of depths before a receiver, of depths on [-1, 1]. Exactness: tier C.
+// hausdorff_share, tier C: within 1/1048576 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -1,4 +1,7 @@
 // umbrage 0.1.0, to_optimized_moments: four moments to four channels of 16 bits. Exactness: tier B.
+// to_optimized_moments, tier B: within 4 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of msm_unorm16: RGBA16 UNORM, not sRGB, no blending, one sample. Clear to

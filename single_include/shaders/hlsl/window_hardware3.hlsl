@@ -1,5 +1,6 @@
 // umbrage 0.1.0, window_hardware3: window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter.
 //   Exactness: tier C.
+// window_hardware3, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.

@@ -1,4 +1,7 @@
 // umbrage 0.1.0, blur_row3: mean of texels in a row. Exactness: tier B.
+// blur_row3, tier B: within 7 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.

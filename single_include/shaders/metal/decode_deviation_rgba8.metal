@@ -1,5 +1,8 @@
 // umbrage 0.1.0, decode_deviation_rgba8: mean and deviation in four channels to depth's two moments. Exactness: tier
 //   B.
+// decode_deviation_rgba8, tier B: within 21 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -1,4 +1,7 @@
 // umbrage 0.1.0, decode_evsm4: mean of texels of four components to visibility. Exactness: tier C.
+// decode_evsm4, tier C: within 229 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, decode_vsm_hardware: mean and deviation to visibility, the cheapest way. Exactness: tier C.
+// decode_vsm_hardware, tier C: within 1/1024 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, disc_hardware16_shadow: disc of 16 points by one. Exactness: tier C.
+// disc_hardware16_shadow, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `depth2d<float> map, sampler map_sampler`, a depth texture. Its sampler passes receiver <= depth, clamps to

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, lit_filtered: comparisons around a point, weighted. Exactness: tier C.
+// lit_filtered, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.

@@ -1,4 +1,5 @@
 // umbrage 0.1.0, window_hardware7_shadow: window of 7 x 7 by 16 of them. Exactness: tier C.
+// window_hardware7_shadow, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `depth2d<float> map, sampler map_sampler`, a depth texture. Its sampler passes receiver <= depth, clamps to

@@ -1,6 +1,9 @@
 // umbrage 0.1.0, box_mean: mean of four whole numbers over a box, from a summed-area table in two halves. Exactness:
 //   tier C.
-// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// WGSL lets compilers fuse or reorder sums.
+// box_mean, tier C: within 19 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.

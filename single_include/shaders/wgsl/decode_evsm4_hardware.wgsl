@@ -1,6 +1,7 @@
 // umbrage 0.1.0, decode_evsm4_hardware: mean of texels of four components to visibility, by the GPU's own exp2.
 //   Exactness: tier C.
-// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// WGSL lets compilers fuse or reorder sums.
+// decode_evsm4_hardware, tier C: within 1/64 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl; or paste

@@ -1,6 +1,9 @@
 // umbrage 0.1.0, encode_base255_repaired: depth for readers of base-255 RGBA, 1.0 and truncation repaired. Exactness:
 //   tier B.
-// Tier B: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// WGSL lets compilers fuse or reorder sums.
+// encode_base255_repaired, tier B: within 7 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of base255_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 0, 0, 0) / 255,

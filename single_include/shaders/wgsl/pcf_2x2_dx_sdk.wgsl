@@ -1,5 +1,8 @@
 // umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 as the DirectX SDK sample, plain floats. Exactness: tier B.
-// Tier B: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// WGSL lets compilers fuse or reorder sums.
+// pcf_2x2_dx_sdk, tier B: within 20 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.

@@ -1,6 +1,9 @@
 // umbrage 0.1.0, tetrahedron_view_z: distance along the normal of the tetrahedron's face that a direction meets.
 //   Exactness: tier B.
-// Tier B: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// WGSL lets compilers fuse or reorder sums.
+// tetrahedron_view_z, tier B: within 3 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: tetrahedron_face.wgsl, tetrahedron_plane.wgsl; or paste wgsl_joined/tetrahedron_view_z.wgsl alone.

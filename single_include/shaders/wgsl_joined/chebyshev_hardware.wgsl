@@ -1,5 +1,6 @@
 // umbrage 0.1.0, chebyshev_hardware: most that a variance lets be lit, less the light that bleeds. Exactness: tier C.
-// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// WGSL lets compilers fuse or reorder sums.
+// chebyshev_hardware, tier C: within 1/524288 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

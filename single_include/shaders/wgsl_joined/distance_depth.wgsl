@@ -1,5 +1,8 @@
 // umbrage 0.1.0, distance_depth: distance to the light over its range. Exactness: tier C.
-// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// WGSL lets compilers fuse or reorder sums.
+// distance_depth, tier C: within 9 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -1,6 +1,9 @@
 // umbrage 0.1.0, receiver_plane_slope: slope of a receiver's plane from derivatives, and how far it may be off.
 //   Exactness: tier C.
-// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// WGSL lets compilers fuse or reorder sums.
+// receiver_plane_slope, tier C: within 31 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

@@ -1,6 +1,7 @@
 // umbrage 0.1.0, window_hardware3_shadow: window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter.
 //   Exactness: tier C.
-// Tier C: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// WGSL lets compilers fuse or reorder sums.
+// window_hardware3_shadow, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How far the operations of a shading language may be from their true results: one table, one row an operation.
+// How far the operations that snippets use may be from their true results: one table, one row an operation.
 #pragma once
 
 namespace parity::arithmetic {
@@ -25,7 +25,6 @@ struct accuracy {
 //                                      GLSL  Vulkan WGSL  D3D  Metal
 inline constexpr accuracy division{"a / b", 2.5, 2.5, 2.5, 1.0, 2.5, "2^-126 <= |b| <= 2^126"};
 inline constexpr accuracy square_root{"sqrt(x)", 4.5, 4.5, 4.5, 1.0, 4.5, "x >= 2^-126"};
-inline constexpr accuracy inverse_square_root{"1 / sqrt(x)", 2.0, 2.0, 2.0, 1.0, 2.0, "x >= 2^-126"};
 /// and 2 |x| ulp more, but for Direct3D's 2^-21 of the result.
 inline constexpr accuracy power_of_two{"exp2(x)", 3.0, 3.0, 3.0, 4.0, 3.0, "-126 <= x < 128"};
 /// of a texel of an 8 or 16-bit UNORM format

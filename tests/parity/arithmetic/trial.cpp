@@ -29,6 +29,14 @@ bool corrects_its_floors(const entry& e) {
     return found;
 }
 
+/// Whether a result is what the entry promises in any arithmetic: a visibility is in [0, 1], or off by its bound.
+bool is_in_range(const entry& e, float v, const call& got, const promise& p) {
+    if (!e.bound.empty() || !is_visibility(e)) return true;
+    const outcome& o = got.what;
+    const double off = p.within > 0.0 || o.unbounded || o.out_of_range ? 0.0 : got.results[0].bound();
+    return v >= -off && v <= 1.0 + off;
+}
+
 bool is_same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 std::string described(const job& j, std::size_t i, const call& got, const vec4& twin) {
@@ -53,8 +61,9 @@ std::string described(const job& j, std::size_t i, const call& got, const vec4& 
 bool is_visibility(const entry& e) {
     const std::string text = e.primitive->source.str();
     const std::size_t head = text.find("// umbrage_" + std::string(e.primitive->name) + ":");
-    return head != std::string::npos &&
-           text.substr(head, text.find('\n', head) - head).find("visibility") != std::string::npos;
+    if (head == std::string::npos) return false;
+    const std::string line = text.substr(head, text.find('\n', head) - head);
+    return line.find("1.0 is lit") != std::string::npos || line.find("visibility of") != std::string::npos;
 }
 
 promise promise_of(const entry& e, const rules& by) {
@@ -64,6 +73,8 @@ promise promise_of(const entry& e, const rules& by) {
             p.within = std::max(p.within, double(one.within));
             p.as_written = p.as_written || one.as_written;
         });
+    if (e.snippets().size() == 1 && e.exactness() == e.primitive->exactness && !by.reads_halves)
+        p.operations = e.primitive->operations;
     if (by.sub_texel_bits > 0 && e.primitive->within == 1.0f / 128.0f)
         p.within = std::ldexp(1.0, 1 - by.sub_texel_bits);
     return p;
@@ -107,7 +118,9 @@ bool allows(const caller& run, std::size_t input, const vec4& result) {
         for (int seed = 0; seed < (in.by.fuses ? seeds : 1); ++seed) {
             const call got = run(input, in.by, std::uint64_t(seed));
             const outcome& o = got.what;
-            if (p.as_written || o.unbounded || o.out_of_range || o.not_finite) return true;
+            if (o.not_finite) return true;
+            if (!is_in_range(e, result.x, got, p)) continue;
+            if (p.as_written || o.unbounded || o.out_of_range) return true;
             bool near = true;
             for (int c = 0; c < 4; ++c) {
                 const knowledge& r = got.results[std::size_t(c)];
@@ -120,7 +133,7 @@ bool allows(const caller& run, std::size_t input, const vec4& result) {
 
 count try_entry(const entry& e, const rules& by, std::size_t inputs, const promise& p) {
     count all;
-    const bool visibility = is_visibility(e), corrects = corrects_its_floors(e);
+    const bool corrects = corrects_its_floors(e);
     const std::size_t maps = std::max<std::size_t>(1, e.maps.size());
     for (std::size_t m = 0; m < maps; ++m) {
         const job j = make_job(e, e.maps.empty() ? nullptr : &e.maps[m], 0, std::max<std::size_t>(inputs / maps, 1), m);
@@ -130,6 +143,8 @@ count try_entry(const entry& e, const rules& by, std::size_t inputs, const promi
             const outcome& o = got.what;
             const vec4 twin = e.twin(j.at(i));
             all.groupings += o.groupings, all.rewrites += o.rewrites;
+            const bool may_be_nan = o.not_finite && by.assumes_finite && p.exactness != tier::a;
+            all.no_visibility += !may_be_nan && !is_in_range(e, got.value(0), got, p);
             const bool flushes = by.flushes_inputs || by.flushes_results;
             bool same = true, in_bound = true, exact = true;
             double share = 0.0;  // of the bound
@@ -140,8 +155,6 @@ count try_entry(const entry& e, const rules& by, std::size_t inputs, const promi
                 const bool as_it_came = got.passed_on[std::size_t(c)] && difference <= r.bound();
                 same = same && (is_same(r.value, twin[c]) || as_it_came);
                 exact = exact && (r.exact || !std::isfinite(r.real) || got.passed_on[std::size_t(c)]);
-                if (visibility && c == 0 && e.bound.empty() && !(r.value >= 0.0f && r.value <= 1.0f))
-                    ++all.no_visibility;
                 if (!std::isfinite(r.real)) continue;
                 const bool follows = p.within > 0.0 && o.either_side == 0;  // C++'s decisions
                 in_bound = in_bound && (p.within > 0.0 ? (follows ? difference : off) <= p.within * p.share

@@ -36,7 +36,7 @@ private:
 };
 
 /// Whether the tier of a call's entry allows this result: what some order, fusing and rounding can give, or what lies
-/// within the bound after the same decisions.
+/// within the bound after the same decisions. What no bound holds is a visibility in [0, 1] still, but of NaN.
 [[nodiscard]] bool allows(const caller& run, std::size_t input, const vec4& result);
 
 /// Whether its result is a visibility.
@@ -47,6 +47,7 @@ struct promise {
     tier exactness = tier::a;
     bool as_written = false;  ///< `within` holds in the written order, rounded to nearest, alone
     double within = 0.0;      ///< tier C: greatest difference; 0: the bound n 2^-23 S
+    int operations = 0;       ///< n, where the primitive alone is called
     double share = 1.0;       ///< of the bound that is allowed: a fault, where below 1
 };
 [[nodiscard]] promise promise_of(const entry& e, const rules& by);
@@ -59,7 +60,7 @@ struct count {
     std::uint64_t either_side =
         0;  ///< of those with another result: a comparison or floor within its bound went otherwise
     std::uint64_t unproven = 0;       ///< tier A: inputs for which the exactness is not shown
-    std::uint64_t no_visibility = 0;  ///< outside [0, 1]
+    std::uint64_t no_visibility = 0;  ///< farther outside [0, 1] than the bound
     std::uint64_t groupings = 0, rewrites = 0;
     double operations = 0.0;        ///< greatest n
     double worst_share = 0.0;       ///< greatest error, as a share of the bound

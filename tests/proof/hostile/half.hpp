@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // IEEE binary16 arithmetic on the CPU, every operation rounded to nearest even: what a mediump that means it computes.
-// And enough of GLSL's vectors to compile snippets with it.
+// And enough of GLSL's vectors to compile snippets with it. The numbers of tests/parity/arithmetic do not serve here:
+// what they know beside a value, its bound and whether it is exact, holds at 32 bits alone.
 #pragma once
 
 #include <cmath>

@@ -17,6 +17,7 @@
 #include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shader/glsl.hpp>
+#include <umbrage/shader/registry.hpp>
 
 using namespace umbrage;
 using namespace umbrage::glsl;
@@ -136,6 +137,27 @@ TEST_CASE("exactness: the worst tier of a text, its maps' hooks included") {
     CHECK(exactness({bind(glsl::lit_at, "a", {.texture = texture::shadow})}) == tier::c);  // the sampler's own weights
     CHECK_THROWS_AS((void)exactness({bind(glsl::hard, "a", layered), bind(glsl::box, "a", packed)}),
                     std::invalid_argument);
+}
+
+TEST_CASE("a text bounds the functions asked for, each by the worst of what it holds, its maps' hooks included") {
+    const auto bound_of = [](const bound& item) {
+        const std::string text = glsl::text({glsl::hard, item}),
+                          start = "\n// " + std::string(item.what.name) + item.suffix;
+        const auto at = text.find(start + ", tier ");
+        if (at == text.npos) return std::string();
+        return text.substr(at + start.size() + 2, text.find('\n', at + 1) - at - start.size() - 2);
+    };
+    CHECK(bound_of(bind(glsl::box_count, "a", packed)).empty());
+    const std::string n = std::to_string(glsl::decode_threejs_rgba.operations);
+    CHECK(bound_of(bind(glsl::hard, "a", stored_as(threejs_rgba{}))) ==
+          "tier B: within " + n + " x 2^-23 x S of the exact result.");
+    CHECK(bound_of(bind(glsl::lit_at, "a", {.texture = texture::shadow})) == "tier C: within 1/128 of C++.");
+    CHECK(bound_of(glsl::msm) ==
+          "tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].");
+    for (const snippet* s : registry()) {  // no bound is below what it needs
+        CAPTURE(s->name);
+        if (s->exactness != tier::a) CHECK(bound_of(*s).substr(8) == bound_in_words(*s));
+    }
 }
 
 TEST_CASE("what a map cannot have is refused") {

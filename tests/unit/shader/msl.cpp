@@ -13,7 +13,8 @@ using namespace umbrage;
 
 TEST_CASE("msl: a snippet as one would have written it") {
     CHECK(msl::text({glsl::false_color})
-              .starts_with("// umbrage 0.1.0, MIT License: false_color\n" + std::string(msl::prelude)));
+              .starts_with("// umbrage 0.1.0, MIT License: false_color\n" + bounds_note(glsl::false_color) +
+                           std::string(msl::prelude)));
     CHECK(function_with_comment(msl::text({glsl::false_color}), "umbrage_false_color") ==
           R"(// umbrage_false_color: blue for 0.0, through green, to red for 1.0
 inline float3 umbrage_false_color(float v) {
@@ -61,7 +62,8 @@ TEST_CASE("msl: before the first function every text forbids fast math, fused an
         const auto function = text.find("\ninline ");
         CHECK(text.find("\n#pragma METAL fp math_mode(safe)\n") < function);
         CHECK(text.find("\n#pragma METAL fp contract(off)\n") < function);
-        CHECK(text.find("// Tier") == text.npos);
+        CHECK(second_line_on(text).starts_with(bounds_note(*s)));
+        CHECK(text.find("lets compilers") == text.npos);
     }
 }
 

@@ -32,12 +32,16 @@ inline std::vector<std::string> qualified(std::string_view text, std::string_vie
     return names;
 }
 
-/// The line that a text of a language without `precise` has behind its first; none in tier A.
-inline std::string order_note(const umbrage::glsl::snippet& s, std::string_view language) {
-    const auto tier = umbrage::glsl::exactness({s});
-    if (tier == umbrage::glsl::tier::a) return "";
-    return std::string("// Tier ") + (tier == umbrage::glsl::tier::b ? 'B' : 'C') + ": " + std::string(language) +
-           " lets compilers fuse or reorder sums. Results then stay within the stated bound.\n";
+/// The lines that the text of one snippet has behind its first; none in tier A.
+inline std::string bounds_note(const umbrage::glsl::snippet& s, const std::string& may_reorder = "") {
+    if (s.exactness == umbrage::glsl::tier::a) return "";
+    const bool counts = s.within == 0.0f;
+    return (may_reorder.empty() ? "" : "// " + may_reorder + " lets compilers fuse or reorder sums.\n") + "// " +
+           std::string(s.name) + (s.exactness == umbrage::glsl::tier::b ? ", tier B: " : ", tier C: ") +
+           umbrage::glsl::bound_in_words(s) + '\n' +
+           (counts ? "// S is the formula with the magnitude of every value and a plus for every minus.\n"
+                     "// Inside the bound, a comparison or floor may fall on either side.\n"
+                   : "");
 }
 
 /// A text without its first line.

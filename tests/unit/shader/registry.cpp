@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -91,6 +92,29 @@ TEST_CASE("registry: each snippet has a C++ twin of its name in its header") {
         if (f.cpp.find(" " + twin + "(") == f.cpp.npos) twin.erase(twin.find_last_not_of("0123456789") + 1);
         CHECK(f.cpp.find(" " + twin + "(") != f.cpp.npos);
     }
+}
+
+TEST_CASE("registry: the C++ twin's comment promises what the snippet does") {
+    std::set<std::string_view> told;
+    const auto headers = snippets_in_headers();
+    for (const snippet* s : registry()) {
+        if (s->exactness == tier::a) continue;
+        CAPTURE(s->name);
+        CAPTURE(promise(*s));
+        std::string pattern = promise(*s);  // of a family a list: "B, n = 7, 12, 17 of 3, 5, 7 taps"
+        if (s->operations > 0) pattern.insert(pattern.rfind(' ') + 1, "(?:\\d+(?:, | or ))*");
+        for (const found& f : headers) {
+            if (f.name != s->name && !(f.family && f.name == without_digits(s->name))) continue;
+            std::string twin = f.name;
+            if (f.cpp.find(' ' + twin + '(') == f.cpp.npos) twin.erase(twin.find_last_not_of("0123456789") + 1);
+            // The comment, a template's head, which may fill lines, and the function's.
+            const std::regex comment("@exactness +" + pattern + "\\b(?:.*\n///)*.*\n(?:template .*\n)?\\[\\[.* " +
+                                     twin + "\\(");
+            CHECK(std::regex_search(f.cpp, comment));
+            told.insert(s->name);
+        }
+    }
+    CHECK(told.size() > 100);
 }
 
 TEST_CASE("registry: the GLSL function is umbrage_ and the snippet's name, and a line of comment says what it does") {

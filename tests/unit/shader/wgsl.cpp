@@ -56,14 +56,20 @@ TEST_CASE("wgsl::text: every snippet translates, in lines that people read, each
     }
 }
 
-TEST_CASE("wgsl::text: a text that may round differently says so, another does not") {
+TEST_CASE("wgsl::text: a text that may round differently bounds each function by name, another does not") {
     for (const glsl::snippet* s : glsl::registry()) {
         CAPTURE(s->name);
         const std::string text = wgsl::text({*s});
-        CHECK(second_line_on(text).starts_with(order_note(*s, "WGSL") + "\n//"));
+        CHECK(second_line_on(text).starts_with(bounds_note(*s, "WGSL") + "\n//"));
     }
     const std::string exact_then_not = wgsl::text({glsl::encode_rg<11>, glsl::spot_cone, glsl::project_coordinate});
-    CHECK(second_line_on(exact_then_not).starts_with("// Tier C: WGSL lets compilers"));
+    CHECK(second_line_on(exact_then_not)
+              .starts_with("// WGSL lets compilers fuse or reorder sums.\n"
+                           "// spot_cone, tier B: within 11 x 2^-23 x S of the exact result.\n"
+                           "// project_coordinate, tier C: within 3 x 2^-23 x S of the exact result.\n"
+                           "// S is the formula with the magnitude of every value and a plus for every minus.\n"
+                           "// Inside the bound, a comparison or floor may fall on either side.\n"));
+    CHECK(count(wgsl::text({glsl::spot_cone, glsl::spot_cone}), "// spot_cone, tier B") == 1);
 }
 
 TEST_CASE("wgsl::text: maps of several kinds in one shader") {

@@ -25,7 +25,7 @@ namespace umbrage {
 /// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, a fault
 /// @return        UNORM values
 /// @formula       e_i = fract(255^i depth), each less 1/255 of the next
-/// @exactness     B, n = 6
+/// @exactness     B, n = 6: S is at most 4 255^i depth, as fract is v - floor(v)
 /// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_base255(T depth, T cleared = T(1)) {
@@ -48,7 +48,7 @@ template <real T>
 
 /// A writer without the faults, for decode_base255 on the other side: the digits of depth in base 255.
 /// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
-/// @exactness     B, n = 7
+/// @exactness     B, n = 7: S of what makes digit i by its floor is at most 255 510^i depth
 template <real T>
 [[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T cleared = T(1)) {
     T rest = saturate(depth, cleared) * T(255);

@@ -30,7 +30,7 @@ namespace umbrage {
 /// Three whole bytes, R most significant, and the fraction that is left in A.
 /// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed; 1 gives all ones
 /// @return        UNORM values
-/// @exactness     B, n = 5
+/// @exactness     B, n = 5: S = R, G, at most 3/255 2^24 depth for B; A is exact
 /// @cite          three.js r167 and later, packing chunk (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T cleared = T(1)) {
@@ -52,7 +52,9 @@ template <real T>
     return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
 }
 
-/// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
+/// Two whole bytes and the fraction that is left in B.
+/// @exactness    B, n = 3: S = R, at most 2/255 2^16 depth for G; B is exact
+/// @cite         three.js r167 and later (format)
 template <real T>
 [[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T cleared = T(1)) {
     const T v = saturate(depth, cleared);
@@ -63,13 +65,16 @@ template <real T>
     return {high * T(1.0 / 255.0), (whole - high * T(256)) * T(1.0 / 255.0), x - whole};
 }
 
-/// @formula      255/256 (R + G/2^8) + B/2^16       @exactness B
+/// @formula      255/256 (R + G/2^8) + B/2^16
+/// @exactness    B, n = 5
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_rgb(glm::vec<3, T> c) {
     return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(1.0 / 65536.0);
 }
 
-/// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
+/// One whole byte and the fraction that is left in G.
+/// @exactness    B, n = 1: S = R; G is exact
+/// @cite         three.js r167 and later (format)
 template <real T>
 [[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T cleared = T(1)) {
     const T v = saturate(depth, cleared);
@@ -79,7 +84,8 @@ template <real T>
     return {whole * T(1.0 / 255.0), x - whole};
 }
 
-/// @formula      255/256 R + G/2^8                  @exactness B
+/// @formula      255/256 R + G/2^8
+/// @exactness    B, n = 3
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_rg(glm::vec<2, T> c) {
     return c.x * T(255.0 / 256.0) + c.y * T(1.0 / 256.0);

@@ -26,7 +26,7 @@ namespace umbrage {
 
 /// The layout of r73 to r166: A most significant, channels scaled by 256/255.
 /// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
-/// @exactness     B, n = 7
+/// @exactness     B, n = 7: S of R, G, B, A is at most 256/255 depth times 2^25, 2^18, 2^10, 3
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T cleared = T(1)) {
@@ -38,7 +38,8 @@ template <real T>
             (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0), (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
 }
 
-/// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)   @exactness B
+/// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)
+/// @exactness    B, n = 7
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_legacy(glm::vec<4, T> c) {
     return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) +

@@ -46,7 +46,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param rotation   as disc_rotation gives it; not a number: none found
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
-/// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at
+/// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at. S is disc_position's
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
                                                glm::vec<2, T> rotation, Compare is_lit = {}) {
@@ -69,7 +69,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
 /// @return           in texels, from min_radius / 16 to max_radius / 16; the former for what is NaN
 /// @formula          |receiver - mean| 4096 per_code, clamped
-/// @exactness        C, n = 6: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
+/// @exactness        C, within 1/1024: a mean off by 4 ulp moves it by 2^-9 per_code, up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr T pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<3, T> softness, Compare is_lit = {}) {

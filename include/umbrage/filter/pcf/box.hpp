@@ -57,7 +57,7 @@ template <real T>
 /// Share of the box that is lit; arguments as for box_count.
 /// @return           visibility: 0 in shadow, 1 lit, exactly
 /// @formula          box_count / (2r+1)^2
-/// @exactness        B, n = 290: the count is exact, its product with box_scale rounds once
+/// @exactness        B, n = 290, S = the result: the count is exact, its product with box_scale rounds once
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T box(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
     const T visibility = box_count(fetch, coord, receiver, radius, is_lit) * box_scale<T>(radius);

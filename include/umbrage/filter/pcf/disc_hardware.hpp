@@ -43,7 +43,7 @@ template <real T>
 /// @param rotation   as disc_rotation gives it
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          mean of pcf_2x2(disc_position) over disc_points
-/// @exactness        C, within 1/128 in a shader as pcf_2x2_hardware: the mean is off by no more than each of its parts
+/// @exactness        C, within 1/128 as pcf_2x2_hardware: the mean is off by no more than each of its parts
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,

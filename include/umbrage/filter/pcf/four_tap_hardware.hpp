@@ -20,7 +20,8 @@ namespace umbrage {
 /// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
 /// @formula            mean of [receiver <= depth_at(tap)]
-/// @exactness          C, n = 39, four_tap but at borders between texels, as depth_at
+/// @exactness          C, n = 39, four_tap but at borders between texels, as depth_at. S = uv size, or for what is out
+///                     of range the sum of all |x| + |y| in texels
 /// @cite               ATI Radeon SDK, ShadowMap sample, 2002
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T four_tap_hardware(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> a, glm::vec<2, T> b,

@@ -44,7 +44,8 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param epsilon    in depth, added to the stored side of each comparison
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
-/// @exactness        B, n = 20
+/// @exactness        B, n = 20: S = (1 + 2 g.x) (1 + 2 g.y), g = coord + 1/2 + floor(coord - 1/2), twice coord or
+///                   so, as a weight is a difference of coordinates
 /// @cite             Microsoft DirectX SDK, ShadowMap sample
 template <real T, class Fetch>
 [[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {

@@ -46,7 +46,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @return           visibility, the same on either side of an edge
 /// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
 ///                   to the nearest step, which is the same one from either side
-/// @exactness        C, n = 33: a division, by 65536 but at corners
+/// @exactness        C, n = 33: a division, by 1 but at corners. S is at most 81 / (sum of w_i)^2
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> coord(at);

@@ -17,7 +17,7 @@ namespace umbrage {
 /// What filters ask of a map whose sampler weighs comparisons, and what other maps give in its place: pcf_2x2.
 /// @param coord   no NaN; what is outside texel space counts as its border
 /// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
-/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours. With b bits
+/// @exactness     C, within 1/128: either axis' weight is the hardware's, within 1/256 of ours. With b bits
 ///                of weight it is 2^(1 - b): Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), others state
 ///                none
 template <real T, class Fetch, class Compare = less_equal>
@@ -28,7 +28,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// lit_filtered at a point in shares of the map's size: what a sampler takes, where the map is all of its texture.
 /// @param size   of the map, in texels
 /// @param uv     from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness    C, within 1/128 in a shader, as lit_filtered
+/// @exactness    C, within 1/128, as lit_filtered
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver, Compare is_lit = {}) {
     return lit_filtered(fetch, uv * size, receiver, is_lit);
@@ -36,7 +36,7 @@ template <real T, class Fetch, class Compare = less_equal>
 
 /// What the sampler gives, but for the rounding of its weights: pcf_2x2.
 /// @return        visibility, 0 in shadow, 1 lit
-/// @exactness     C, within 1/128 in a shader, as lit_filtered
+/// @exactness     C, within 1/128, as lit_filtered
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return pcf_2x2(fetch, coord, receiver, is_lit);

@@ -32,7 +32,7 @@ namespace umbrage {
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          sum of w_i w_j [receiver <= fetch(texel + (i, j) - size / 2)] / (sum of the weights)^2,
 ///                   w_i = K_i + s (K_(i-1) - K_i), texel + s = coord - 1/2 for an odd size, coord for an even
-/// @exactness        C, within 1/128 in a shader: e is 1/256 of a sampler that rounds or truncates to it; on top its
+/// @exactness        C, within 1/128: e is 1/256 of a sampler that rounds or truncates to it; on top its
 ///                   coordinates round, by 2^-10 texel in a map of 8192
 /// @cite             Castano: Shadow mapping summary, part 1, 2013
 template <real T, class Fetch, class Compare = less_equal>

@@ -36,7 +36,8 @@ template <real T>
 /// @return               visibility, 0 to 1; 0 where something is NaN, or where depths without variance lie before the
 ///                       receiver and min_variance is 0
 /// @formula              receiver <= m.x ? 1 : v / (v + (receiver - m.x)^2), v = max(m.y - m.x^2, min_variance)
-/// @exactness            C, n = 11: a division; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the
+/// @exactness            C, n = 11: a division. S = V (V + (receiver + |m.x|)^2) / (v + (receiver - m.x)^2)^2, V = m.y
+///                       + m.x^2 or min_variance; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the
 ///                       formula in reals
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
@@ -53,7 +54,7 @@ template <real T>
 /// darker and harder.
 /// @param amount      what becomes 0, 0 to 1; 0.2 is usual
 /// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
-/// @exactness         C, n = 5: a division
+/// @exactness         C, n = 5: a division. S = (visibility + amount) (1 + amount) / (1 - amount)^2
 template <real T>
 [[nodiscard]] constexpr T reduce_light_bleeding(T visibility, T amount) {
     const bool above = !is_nan(visibility) && !is_nan(amount) && visibility > amount;

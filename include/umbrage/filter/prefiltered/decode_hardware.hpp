@@ -34,7 +34,7 @@ template <real T>
 /// @param distance   from the mean to the receiver, no NaN; what is not above 0 is lit
 /// @param amount     as of reduce_light_bleeding, 0 to 1/2
 /// @formula          clamp((p - amount) / (1 - amount), 0, 1), p = variance / (variance + max(distance, 0)^2)
-/// @exactness        C, within 2^-19 in a shader: sum and product half an ulp each, of divisions GPUs promise 2.5, and
+/// @exactness        C, within 1/524288: sum and product half an ulp each, of divisions GPUs promise 2.5, and
 ///                   the cut doubles that
 template <real T>
 [[nodiscard]] constexpr T chebyshev_hardware(T variance, T distance, T amount) {
@@ -49,7 +49,7 @@ template <real T>
 /// @param amount         as of reduce_light_bleeding, 0 to 1/2
 /// @formula              chebyshev_hardware(max((held.y / 2)^2, min_variance), d - held.x, amount),
 ///                       d = to_forward_depth(receiver)
-/// @exactness            C, within 2^-10 in a shader: a distance off by 2^-23 moves p by at most 0.65 2^-23 /
+/// @exactness            C, within 1/1024: a distance off by 2^-23 moves p by at most 0.65 2^-23 /
 ///                       sqrt(min_variance), which the cut doubles; and chebyshev_hardware
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
@@ -68,7 +68,7 @@ template <real T>
 /// @param amount      as of reduce_light_bleeding, 0 to 0.3
 /// @formula           chebyshev_hardware(max(m.y - m.x^2, (deviation w)^2), w - m.x, amount),
 ///                    w = exponential_warp(to_forward_depth(clamp(receiver, 0, 1)), exponent)
-/// @exactness         C, within 1/64 in a shader. exp2 of y is promised to 3 + 2 |y| ulp; with y's own rounding on
+/// @exactness         C, within 1/64. exp2 of y is promised to 3 + 2 |y| ulp; with y's own rounding on
 ///                    either side w is off by e = (5 + 4 exponent) 2^-23 of itself, and p by 0.65 e / deviation + e.
 ///                    Moments fused or not: 2 (2^-24 / deviation^2 + 2^-21). The cut divides both by 1 - amount
 /// @cite              Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
@@ -84,7 +84,7 @@ template <real T>
 /// @param m           mean of encode_evsm4's texels; no NaN
 /// @param receiver    as of decode_evsm2_hardware, and so are exponents, deviations and amount
 /// @formula           the lesser of decode_evsm2_hardware's for either power
-/// @exactness         C, within 1/64 in a shader, as decode_evsm2_hardware
+/// @exactness         C, within 1/64, as decode_evsm2_hardware
 template <real T>
 [[nodiscard]] constexpr T decode_evsm4_hardware(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                 glm::vec<2, T> deviations, T amount, T cleared = T(1)) {

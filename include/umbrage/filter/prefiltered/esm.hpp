@@ -24,7 +24,7 @@ enum class float_store { half, single };
 /// @param exponent   -63 to 63
 /// @return           2^-exponent to 2^exponent
 /// @formula          exp2_polynomial(exponent (2 depth - 1))
-/// @exactness        B, n = 31
+/// @exactness        B, n = 31: S is exp2_polynomial's with g = |exponent| (2 depth + 1) + |n|
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T exponential_warp(T depth, T exponent) {
     return exp2_polynomial(exponent * (depth * T(2) - T(1)));

@@ -58,8 +58,8 @@ template <real T>
 ///                   2 ln(2) exponent, as make_evsm has it
 /// @return           visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
 /// @formula          chebyshev(m, w, (deviation w)^2), w = exponential_warp(to_forward_depth(saturate(receiver)))
-/// @exactness        C, n = 229: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
-///                   powers
+/// @exactness        C, n = 229: a division. S is chebyshev's with S(w) for w; within 2^-24 / deviation^2 + 2^-21 of
+///                   the formula in reals of the same powers
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
@@ -75,7 +75,7 @@ template <real T>
 /// @param deviations  least standard deviations, as parts of the receiver's powers
 /// @return            visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
 /// @formula           the lesser of decode_evsm2's for either power
-/// @exactness         C, n = 229: a division
+/// @exactness         C, n = 229: a division. S as decode_evsm2
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                       glm::vec<2, T> deviations, T cleared = T(1)) {

@@ -59,7 +59,8 @@ template <real T>
 /// @return        2^y: never falls where y grows; 2^y itself of whole numbers
 /// @formula       2^n (1 + c1 f + c2 f^2 + .. + c5 f^5) by Horner's scheme, n = floor(y), f = y - n; the polynomial is
 ///                2 at f = 1
-/// @exactness     B, n = 16;  off by at most 1.8e-7 of the power, over all f = k / 2^24
+/// @exactness     B, n = 16, S = 2^n (1 + c1 g + .. + c5 g^5), g = |y| + |n|;  off by at most 1.8e-7 of the power, over
+///                all f = k / 2^24
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T exp2_polynomial(T y) {
     const T x = detail::clamp_exponent(y), n = detail::floor_small(x), f = x - n;

@@ -25,14 +25,14 @@ namespace umbrage {
 ///                  -1 is ((1 + z) (d D + g (1 - b1)) - k) / (2 (1 + z) p), that at 1 has the sign of
 ///                  ((1 - z) (d D - g (1 + b1)) + k) q, that at f, which lies before the receiver where d > 0, is
 ///                  d^4 / (p q (x d - g)): interpolation's weights, of central moments, where few digits cancel
-/// @exactness       C, n = 173: two divisions; which depths there are is decided without one. In binary32 off, to
-///                  first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the
-///                  absolute coefficients of the polynomial of degree 4 whose mean is the share: 1 at -1, twice 0 at
-///                  f, 0 at z and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1. Rounding up
-///                  to d and g does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the share does not
-///                  change with f to first order; what follows is off by 8 2^-24 of 1 / (1 + f), 1 / (1 - f), 1 / |z
-///                  - f| or of 1 / ((1 + z) (1 + f)) at a step. Nothing holds s down for all moments: a bias of (0,
-///                  y, 0, y) is one of depths -1, 0 and 1, no help where f is 0
+/// @exactness       C, within 1/1048576 as written: two divisions; which depths there are is decided without one. In
+///                  binary32 off, to first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s
+///                  the sum of the absolute coefficients of the polynomial of degree 4 whose mean is the share: 1 at
+///                  -1, twice 0 at f, 0 at z and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1.
+///                  Rounding up to d and g does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the
+///                  share does not change with f to first order; what follows is off by 8 2^-24 of 1 / (1 + f), 1 / (1
+///                  - f), 1 / |z - f| or of 1 / ((1 + z) (1 + f)) at a step. Nothing holds s down for all moments: a
+///                  bias of (0, y, 0, y) is one of depths -1, 0 and 1, no help where f is 0
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE inline T hausdorff_share(glm::vec<4, T> b, T z) {
     const T variance = b.y - b.x * b.x, third = b.z - b.x * b.y, fourth = b.w - b.y * b.y, rest = T(1) - b.y;
@@ -64,7 +64,7 @@ template <real T>
 /// @return          visibility, 0 to 1, no more than decode_msm's but for rounding: at least the lit share, less bias.x
 ///                  and rounding. Where moments are those of fewer than three depths, and of NaN: as decode_msm
 /// @formula         1 - hausdorff_share where that is not negative, else decode_msm
-/// @exactness       C: within 1/64 in a shader
+/// @exactness       C, within 1/64 as written
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
 [[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {

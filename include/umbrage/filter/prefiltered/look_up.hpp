@@ -26,7 +26,8 @@ namespace umbrage {
 /// @return          as fetch
 /// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
 ///                  of texels below 2^111
-/// @exactness       B, n = 12;  A where texels are multiples of 2^-8 below 1
+/// @exactness       B, n = 19, S at most 9 times the greatest texel's magnitude;  A where texels are multiples of 2^-8
+///                  below 1
 template <real T, class Fetch>
 [[nodiscard]] auto fetch_bilinear(Fetch&& fetch, glm::vec<2, T> coord) {
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);
@@ -54,7 +55,7 @@ template <real T, class Fetch, class Decode>
 /// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @formula          decode_vsm of fetch_bilinear
-/// @exactness        C, n = 109: a division
+/// @exactness        C, n = 165: a division. S is decode_vsm's with S of fetch_bilinear for the texels
 template <real T, class Fetch>
 [[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -62,7 +63,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_esm.
-/// @exactness        B, n = 49
+/// @exactness        B, n = 56, S likewise
 template <real T, class Fetch>
 [[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -70,7 +71,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_evsm2.
-/// @exactness        C, n = 139: a division
+/// @exactness        C, n = 267: a division. S likewise
 template <real T, class Fetch>
 [[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -78,7 +79,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_evsm4.
-/// @exactness        C, n = 139: a division
+/// @exactness        C, n = 267: a division. S likewise
 template <real T, class Fetch>
 [[nodiscard]] T evsm4(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> exponents,
                       glm::vec<2, T> deviations, T cleared = T(1)) {
@@ -87,7 +88,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_msm.
-/// @exactness        C: within 1/64 in a shader
+/// @exactness        C, within 1/64 as written
 template <real T, class Fetch>
 [[nodiscard]] T msm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -95,7 +96,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of to_optimized_moments(encode_msm).
-/// @exactness        C: within 1/64 in a shader
+/// @exactness        C, within 1/64 as written
 template <real T, class Fetch>
 [[nodiscard]] T msm_unorm16(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared, [&](glm::vec<4, T> o) {
@@ -104,7 +105,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
-/// @exactness        C, n = 22861: as decode_msm_hausdorff
+/// @exactness        C, within 1/64 as written, as decode_msm_hausdorff
 template <real T, class Fetch>
 [[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -117,7 +118,7 @@ inline constexpr snippet fetch_bilinear{
     .name = "fetch_bilinear",
     .summary = "mean of the four texels around a point",
     .exactness = tier::b,
-    .operations = 12,
+    .operations = 19,
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
@@ -144,7 +145,7 @@ inline constexpr snippet vsm{
     .name = "vsm",
     .summary = "visibility from a map of encode_vsm's texels",
     .exactness = tier::c,
-    .operations = 109,
+    .operations = 165,
     .needs = list<&in_filter_domain, &fetch_bilinear, &decode_vsm>,
     .source = R"GLSL(
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
@@ -164,7 +165,7 @@ inline constexpr snippet esm{
     .name = "esm",
     .summary = "visibility from a map of encode_esm's texels",
     .exactness = tier::b,
-    .operations = 49,
+    .operations = 56,
     .needs = list<&in_filter_domain, &fetch_bilinear, &decode_esm>,
     .source = R"GLSL(
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
@@ -184,7 +185,7 @@ inline constexpr snippet evsm2{
     .name = "evsm2",
     .summary = "visibility from a map of encode_evsm2's texels",
     .exactness = tier::c,
-    .operations = 139,
+    .operations = 267,
     .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm2>,
     .source = R"GLSL(
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
@@ -205,7 +206,7 @@ inline constexpr snippet evsm4{
     .name = "evsm4",
     .summary = "visibility from a map of encode_evsm4's texels",
     .exactness = tier::c,
-    .operations = 139,
+    .operations = 267,
     .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm4>,
     .source = R"GLSL(
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit

@@ -51,7 +51,8 @@ template <real T>
             (b.y + b.w) * T(0.5)};
 }
 
-/// @formula         the inverse of to_optimized_moments
+/// @formula         the inverse of to_optimized_moments: x = o.x - 1/2, z = o.z - 1/2,
+///                  (sqrt(3) z - x / 3, o.w + o.y / 8, 3/4 sqrt(3) z - 3/4 x, o.w - o.y / 8)
 /// @exactness       B, n = 5;  off by at most 2^-22 of what was turned, of rounding on both ways
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> from_optimized_moments(glm::vec<4, T> o) {
@@ -119,7 +120,7 @@ template <real T>
 /// @formula         D = b2 - b1^2, L = b3 - b1 b2, E = b4 - b2^2 - L l, l = L / D, h = 2 b1 - l, q(t) = (t + h) t - D;
 ///                  t the roots of a t^2 + B t + c, a = D q(x), B = x E + h a, c = D (E - a); the share at t is
 ///                  D E / (D E + t^2 E + q(t)^2 D)
-/// @exactness       C, n = 1357: five divisions and a root
+/// @exactness       C, within 1/64 as written: five divisions and a root
 template <real T>
 [[nodiscard]] glm::vec<4, T> moment_atoms(glm::vec<4, T> b, T x) {
     const detail::atom_equation<T> equation(b, x);
@@ -128,6 +129,7 @@ template <real T>
 
 /// Moments as moment_atoms takes them.
 /// @param bias      msm_bias_32, msm_bias_16
+/// @formula         b + ((0, bias.y, 0, bias.y) - b) bias.x
 /// @exactness       B, n = 3
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> bias_moments(glm::vec<4, T> b, glm::vec<2, T> bias) {
@@ -141,7 +143,7 @@ template <real T>
 ///                  those of fewer than three depths, and of NaN: 1 where the receiver is no farther than their mean,
 ///                  else 0. Of numbers that are no depths' moments: 0 to 1, and beside poles rounding decides which
 /// @formula         1 - sum of the shares of moment_atoms before the receiver
-/// @exactness       C: within 1/64 in a shader. Rounding in binary32 does to first order as much as moments do that are
+/// @exactness       C, within 1/64 as written. Rounding in binary32 does to first order as much as moments do that are
 ///                  off by (0, 1, 3, 7) 2^-24, which is at most 9 2^-24 / (bias.x e), e the least eigenvalue of the
 ///                  matrix of (0, y, 0, y), 0.199 of 0.375 and 0.159 of 0.628: 0.057 with msm_bias_16, 0.027 with a
 ///                  share of 1e-4 towards 0.375, 0.9 with msm_bias_32, of which it says little

@@ -37,7 +37,7 @@ template <real T>
 ///                       surfaces shadow themselves
 /// @return               visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
 /// @formula              chebyshev(m, to_forward_depth(receiver), min_variance)
-/// @exactness            C, n = 13: a division
+/// @exactness            C, n = 13: a division. S is chebyshev's
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T cleared = T(1)) {
@@ -47,7 +47,8 @@ template <real T>
 /// @param m         mean of the depths, mean of their squares
 /// @return          mean and twice the standard deviation, for depths in [0, 1] each 0 to 1; the latter 0 for NaN
 /// @formula         (m.x, 2 sqrt(max(m.y - m.x^2, 0)))
-/// @exactness       C, n = 7: a root
+/// @exactness       C, n = 7: a root. Where twice the bound of m.y - m.x^2 is above it, within 2 sqrt(m.y - m.x^2 +
+///                  that bound)
 template <real T>
 [[nodiscard]] glm::vec<2, T> encode_deviation(glm::vec<2, T> m) {
     const T variance = m.y - m.x * m.x;

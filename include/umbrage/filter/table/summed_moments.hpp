@@ -26,8 +26,8 @@ namespace umbrage {
 /// @param half_width   columns of either half
 /// @param first        of the box: lowest column and row;   end  highest and one, first < end
 /// @formula            (a - b - c + d) mod 2^32 over the number of texels
-/// @exactness          C, n = 19: a division; its dividend is the sum to half an ulp, while that is below 2^32, however
-///                     often the table has wrapped
+/// @exactness          C, n = 19: a division. S is below 2^36 (first + end).x (first + end).y / texels^2, and the
+///                     dividend is the sum to half an ulp, while that is below 2^32, however often the table wrapped
 template <real T, class Fetch>
 [[nodiscard]] glm::vec<4, T> box_mean(Fetch&& table, int half_width, glm::ivec2 first, glm::ivec2 end) {
     const auto part = [&](int right) {
@@ -52,7 +52,7 @@ template <real T, class Fetch>
 /// @param bias       msm_bias_16
 /// @return           visibility: at least the lit share of the box, less bias.x and decode_msm's error
 /// @formula          decode_msm of box_mean / 65535, turned back
-/// @exactness        C: within 1/64 in a shader
+/// @exactness        C, within 1/64 as written
 /// @cite             Peters, Klein: Moment shadow mapping, I3D 2015; Crow: Summed-area tables for texture mapping,
 ///                   SIGGRAPH 1984
 template <real T, class Fetch>

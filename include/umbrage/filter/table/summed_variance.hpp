@@ -64,7 +64,7 @@ template <real T, class Fetch>
 /// @param codes      2^bits of the table
 /// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit share
 /// @formula          m, v mean and variance of the codes + 1: d = codes receiver - m; d <= 0 ? 1 : v / (v + d^2)
-/// @exactness        C: two divisions, on numbers that do not cancel; within 2^-16, as d is off by 2^-23 where v is at
+/// @exactness        C, within 1/65536: two divisions, on numbers that do not cancel; d is off by 2^-23 where v is at
 ///                   least 1/64^2
 /// @cite             Lauritzen: Summed-area variance shadow maps, GPU Gems 3, 2007; Donnelly, Lauritzen: Variance
 ///                   shadow maps, I3D 2006

@@ -45,7 +45,7 @@ template <real T>
 /// @param per_texel    weight a texel: 1 / width of the band along the border
 /// @return             0 .. 1 in steps of 1/256; NaN gives 0
 /// @formula            1 - (distance from the border - reach) per_texel, where the border is nearest
-/// @exactness          B, n = 8
+/// @exactness          B, n = 8: S = (|coordinate| + size + reach) per_texel + 1
 template <real T>
 [[nodiscard]] T cascade_border_fade(glm::vec<2, T> coordinate, glm::vec<2, T> size, T reach, T per_texel) {
     const glm::vec<2, T> half = size * T(0.5);

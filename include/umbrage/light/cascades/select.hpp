@@ -62,7 +62,7 @@ template <real T>
 
 /// True for a coordinate whose filter stays inside the map, between the near and the far plane.
 /// @param size    of the map, in texels;   reach  of the filter, in texels
-/// @exactness     B, n = 2: differences, exact where size and reach are multiples of 1/16
+/// @exactness     B, n = 2, S = size + reach: differences, exact where size and reach are multiples of 1/16
 template <real T>
 [[nodiscard]] constexpr bool inside_cascade(glm::vec<3, T> coordinate, glm::vec<2, T> size, T reach) {
     const auto within = [](T low, T v, T high) { return !is_nan(v) && v >= low && v <= high; };
@@ -77,7 +77,7 @@ template <real T>
 /// @return                 (x, y) in texels, depth, number; (65536, 65536, 0, 4), which every filter takes as lit,
 ///                         where none holds it: shaders read a texel all the same, so that the layer must be one that
 ///                         is there, min(number, 3)
-/// @exactness              B, n = 4
+/// @exactness              B, n = 4: S as cascade_coordinate and inside_cascade
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
                                                              const glm::mat<4, 4, T>& offsets, glm::vec<2, T> size,

@@ -99,7 +99,7 @@ template <real T>
 /// The direction to a point of a face: cube_coordinate's inverse.
 /// @param face   0 .. 5;   st  from 0 to 1 over the face
 /// @return       its greatest component is 1 or -1
-/// @exactness    B, n = 2: 2 s - 1 rounds once
+/// @exactness    B, n = 2, S = 2 st + 1: 2 s - 1 rounds once
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
     return cube_point(face, glm::vec<3, T>(st.x * T(2) - T(1), st.y * T(2) - T(1), T(1)));

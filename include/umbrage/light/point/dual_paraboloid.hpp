@@ -68,7 +68,7 @@ template <real T>
 /// @return            (x w, y w, distance w, w): x and y from -1 to 1 in the map's half, farther out beyond it; w is 0
 ///                    in the middle of the other half, and never below
 /// @formula           w = |p| + z, of map 1 |p| - z
-/// @exactness         C, n = 18: a square root
+/// @exactness         C, n = 18: a square root. S of w = |p| + |z|, of z that times |p|; x and y are exact
 template <real T>
 [[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
     const bool behind = map > T(0.5);

@@ -45,7 +45,7 @@ template <real T>
 /// A direction in its face's own axes.
 /// @return        (aside, up, away): along the face's base, to the right for who looks along the face with its apex
 ///                above; up in the world, of faces 2 and 3 down; away from the other face of the same two, >= 0
-/// @exactness     B, n = 1: tetrahedron_face, then selects
+/// @exactness     B, n = 1: S of tetrahedron_face, then selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_plane(glm::vec<3, T> direction) {
     const int face = tetrahedron_face(direction);
@@ -80,7 +80,7 @@ template <real T>
 /// @return         texels; face 0's base is the first row, 1's the last, 2's the last column, 3's the first
 /// @formula        of face 0 (h + (h - 3 b) s, b + (h - 3 b) t), h = size / 2: b texels aside in x and in y are 3 b on
 ///                 a base from its corners and 2 b at the apex; the other faces' turned by quarters
-/// @exactness      B, n = 9
+/// @exactness      B, n = 9: S = h + (h + 3 b) |s|, 2 h + b + (h + 3 b) t
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_texel(glm::vec<3, T> at, T size, T border) {
     const T half = size * T(0.5), scale = half - border * T(3);

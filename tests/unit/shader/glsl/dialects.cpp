@@ -37,17 +37,17 @@ TEST_CASE("text for a dialect: what __VERSION__ and GL_ES decide is decided") {
     CHECK(count(text(version::v300_es, {umbrage::glsl::texel}), "texture2D") == 0);
 }
 
-TEST_CASE("text for a dialect: precise where the dialect has it, elsewhere a text that may round differently says so") {
+TEST_CASE("text for a dialect: its bound, and precise where the dialect has it, else that sums may be reordered") {
     for (const snippet* s : registry()) {
         CAPTURE(s->name);
-        CHECK(second_line_on(text({*s})).starts_with(order_note(*s, "GLSL below 400 and 320 es") + "\n#ifndef"));
+        CHECK(second_line_on(text({*s})).starts_with(bounds_note(*s, "GLSL below 400 and 320 es") + "\n#ifndef"));
         for (const version v : versions) {
             if (!supports(*s, v)) continue;
             CAPTURE(directive(v));
             const std::string out = text(v, {*s});
             const bool has_precise = v == version::v320_es || v >= version::v430;
             CHECK((out.find("\n#define UMBRAGE_PRECISE precise\n") != out.npos) == has_precise);
-            const std::string note = has_precise ? "" : order_note(*s, "GLSL " + std::string(directive(v)));
+            const std::string note = bounds_note(*s, has_precise ? "" : "GLSL " + std::string(directive(v)));
             CHECK(second_line_on(out).starts_with(note + "\n#ifndef"));
             CHECK(count(out, "UMBRAGE_PRECISE ") >= qualified(s->source.str(), "UMBRAGE_PRECISE ").size());
         }
