@@ -906,8 +906,9 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
             "correct_quotient": `
 // umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
 UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
-    return (low + 1.0) * b <= a ? low + 1.0 : low;
+    UMBRAGE_HIGHP float more = q + 1.0;
+    UMBRAGE_HIGHP float known = more * b <= a ? more : q;
+    return q * b > a ? q - 1.0 : known;
 }
 `,
             "floor_divide": `
@@ -4271,8 +4272,9 @@ float umbrage_saturate(float v) {
             "correct_quotient": `
 // umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
 float umbrage_correct_quotient(float q, float a, float b) {
-    float low = q * b > a ? q - 1.0 : q;
-    return (low + 1.0) * b <= a ? low + 1.0 : low;
+    float more = q + 1.0;
+    float known = more * b <= a ? more : q;
+    return q * b > a ? q - 1.0 : known;
 }
 `,
             "floor_divide": `
@@ -7444,8 +7446,9 @@ inline float umbrage_saturate(float v) {
             "correct_quotient": `
 // umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
 inline float umbrage_correct_quotient(float q, float a, float b) {
-    float low = q * b > a ? q - 1.0 : q;
-    return (low + 1.0) * b <= a ? low + 1.0 : low;
+    float more = q + 1.0;
+    float known = more * b <= a ? more : q;
+    return q * b > a ? q - 1.0 : known;
 }
 `,
             "floor_divide": `
@@ -10632,8 +10635,9 @@ fn umbrage_saturate(v: f32) -> f32 {
             "correct_quotient": `
 // umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
 fn umbrage_correct_quotient(q: f32, a: f32, b: f32) -> f32 {
-    let low: f32 = select(q, q - 1.0, q * b > a);
-    return select(low, low + 1.0, (low + 1.0) * b <= a);
+    let more: f32 = q + 1.0;
+    let known: f32 = select(q, more, more * b <= a);
+    return select(known, q - 1.0, q * b > a);
 }
 `,
             "floor_divide": `

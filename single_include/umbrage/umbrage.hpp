@@ -260,8 +260,8 @@ struct snippet {
     literal name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
     literal summary{};  ///< one line
     tier exactness = tier::a;
-    int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
-    float within = 0.0f;      ///< tier c without n: greatest difference from the C++ twin
+    int operations = 0;   ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
+    float within = 0.0f;  ///< tier c without n: greatest difference from C++; above 1 a share of it
     bool as_written = false;  ///< `within` holds where + - * round to nearest in written order, no bound elsewhere
     version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     snippet_span needs{};            ///< a list<>
@@ -2351,12 +2351,12 @@ namespace umbrage {
 /// @param q     whole, floor(a / b) - 1 .. floor(a / b) + 1
 /// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24
 /// @return      floor(a / b)
-/// @formula     q - [q b > a], then one more where that leaves b or more of a
+/// @formula     q - 1 where q b > a, q + 1 where (q + 1) b <= a, else q
 /// @exactness   A: a product of 2^24 or more is beyond a, however it rounds
 template <real T>
 [[nodiscard]] constexpr T correct_quotient(T q, T a, T b) {
-    const T low = q * b > a ? q - T(1) : q;
-    return (low + T(1)) * b <= a ? low + T(1) : low;
+    const T more = q + T(1);
+    return q * b > a ? q - T(1) : (more * b <= a ? more : q);
 }
 
 /// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24;   their quotient at most 2^18
@@ -2376,8 +2376,9 @@ inline constexpr snippet correct_quotient{
     .source = R"GLSL(
 // umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
 UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
-    return (low + 1.0) * b <= a ? low + 1.0 : low;
+    UMBRAGE_HIGHP float more = q + 1.0;
+    UMBRAGE_HIGHP float known = more * b <= a ? more : q;
+    return q * b > a ? q - 1.0 : known;
 }
 )GLSL",
 };

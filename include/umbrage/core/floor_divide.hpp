@@ -19,12 +19,12 @@ namespace umbrage {
 /// @param q     whole, floor(a / b) - 1 .. floor(a / b) + 1
 /// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24
 /// @return      floor(a / b)
-/// @formula     q - [q b > a], then one more where that leaves b or more of a
+/// @formula     q - 1 where q b > a, q + 1 where (q + 1) b <= a, else q
 /// @exactness   A: a product of 2^24 or more is beyond a, however it rounds
 template <real T>
 [[nodiscard]] constexpr T correct_quotient(T q, T a, T b) {
-    const T low = q * b > a ? q - T(1) : q;
-    return (low + T(1)) * b <= a ? low + T(1) : low;
+    const T more = q + T(1);
+    return q * b > a ? q - T(1) : (more * b <= a ? more : q);
 }
 
 /// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24;   their quotient at most 2^18
@@ -44,8 +44,9 @@ inline constexpr snippet correct_quotient{
     .source = R"GLSL(
 // umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
 UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
-    return (low + 1.0) * b <= a ? low + 1.0 : low;
+    UMBRAGE_HIGHP float more = q + 1.0;
+    UMBRAGE_HIGHP float known = more * b <= a ? more : q;
+    return q * b > a ? q - 1.0 : known;
 }
 )GLSL",
 };

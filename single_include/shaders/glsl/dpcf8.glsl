@@ -75,8 +75,9 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #define UMBRAGE_HAS_CORRECT_QUOTIENT
 // umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
 UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
-    return (low + 1.0) * b <= a ? low + 1.0 : low;
+    UMBRAGE_HIGHP float more = q + 1.0;
+    UMBRAGE_HIGHP float known = more * b <= a ? more : q;
+    return q * b > a ? q - 1.0 : known;
 }
 #endif
 

@@ -44,8 +44,9 @@ float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius
 #define UMBRAGE_HAS_CORRECT_QUOTIENT
 // umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
 float umbrage_correct_quotient(float q, float a, float b) {
-    float low = q * b > a ? q - 1.0 : q;
-    return (low + 1.0) * b <= a ? low + 1.0 : low;
+    float more = q + 1.0;
+    float known = more * b <= a ? more : q;
+    return q * b > a ? q - 1.0 : known;
 }
 #endif
 

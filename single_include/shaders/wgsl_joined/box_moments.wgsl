@@ -6,8 +6,9 @@
 
 // umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
 fn umbrage_correct_quotient(q: f32, a: f32, b: f32) -> f32 {
-    let low: f32 = select(q, q - 1.0, q * b > a);
-    return select(low, low + 1.0, (low + 1.0) * b <= a);
+    let more: f32 = q + 1.0;
+    let known: f32 = select(q, more, more * b <= a);
+    return select(known, q - 1.0, q * b > a);
 }
 
 // umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18

@@ -124,7 +124,8 @@ bool allows(const caller& run, std::size_t input, const vec4& result) {
             bool near = true;
             for (int c = 0; c < 4; ++c) {
                 const knowledge& r = got.results[std::size_t(c)];
-                near = near && std::abs(double(result[c]) - r.real) <= std::max(r.bound(), p.within);
+                near = near && std::abs(double(result[c]) - r.real) <=
+                                   std::max(r.bound(), p.within * std::max(1.0, std::abs(r.real)));
             }
             if (near) return true;
         }
@@ -157,12 +158,13 @@ count try_entry(const entry& e, const rules& by, std::size_t inputs, const promi
                 exact = exact && (r.exact || !std::isfinite(r.real) || got.passed_on[std::size_t(c)]);
                 if (!std::isfinite(r.real)) continue;
                 const bool follows = p.within > 0.0 && o.either_side == 0;  // C++'s decisions
-                in_bound = in_bound && (p.within > 0.0 ? (follows ? difference : off) <= p.within * p.share
+                const double within = p.within * std::max(1.0, std::abs(r.real));
+                in_bound = in_bound && (p.within > 0.0 ? (follows ? difference : off) <= within * p.share
                                                        : off <= r.bound() * p.share);
                 if (o.denormal || o.not_finite || o.out_of_range || (o.unbounded && p.within == 0.0)) continue;
                 all.operations = std::max(all.operations, r.exact ? 0.0 : r.operations);
                 if (o.either_side == 0) all.worst_difference = std::max(all.worst_difference, difference);
-                if (p.within > 0.0) share = std::max(share, (follows ? difference : off) / p.within);
+                if (p.within > 0.0) share = std::max(share, (follows ? difference : off) / within);
                 else if (r.bound() > 0.0) share = std::max(share, off / r.bound());
             }
             const bool plain = !o.denormal && !o.not_finite;
