@@ -72,7 +72,7 @@ const choices = {
     direction: ['forward', 'reversed'],
 };
 
-const of_encodings = ['write', 'writes', 'cleared', 'reversed'];  // what they have beside a map's properties
+const of_encodings = ['write', 'writes', 'format', 'to_unorm', 'cleared', 'reversed'];  // what they have beside a map's properties
 
 function complete(map) {
     must(typeof map === 'object' && map !== null, 'map must be an object',
@@ -933,6 +933,67 @@ UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
     return k * 0.0039215087890625 + 0.0009765625;
 }
 `,
+            "to_unorm10": `
+// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// k * 4099 / 4194304 + 1056 / 4194304
+UMBRAGE_HIGHP float umbrage_to_unorm10(UMBRAGE_HIGHP float k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm10(UMBRAGE_HIGHP vec2 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm10(UMBRAGE_HIGHP vec3 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm10(UMBRAGE_HIGHP vec4 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+`,
+            "from_unorm10": `
+// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+UMBRAGE_HIGHP float umbrage_from_unorm10(UMBRAGE_HIGHP float c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm10(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm10(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm10(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+`,
+            "to_unorm16": `
+// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+UMBRAGE_HIGHP float umbrage_to_unorm16(UMBRAGE_HIGHP float k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm16(UMBRAGE_HIGHP vec2 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm16(UMBRAGE_HIGHP vec3 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm16(UMBRAGE_HIGHP vec4 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+`,
+            "from_unorm16": `
+// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+UMBRAGE_HIGHP float umbrage_from_unorm16(UMBRAGE_HIGHP float c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm16(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm16(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm16(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+`,
             "encode_rg9": `
 // umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as far
@@ -1014,6 +1075,26 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
     return vec3(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
+}
+`,
+            "encode_rgb10": `
+// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
+// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec3 umbrage_encode_rgb10(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float rest = x - high * 16384.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 16.0));
+    UMBRAGE_HIGHP float low = min(rest - middle * 16.0, 15.0);  // below already: no sum is regrouped across the min
+    return vec3(high, middle, low * 64.0);
+}
+`,
+            "encode_r16": `
+// umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP float umbrage_encode_r16(UMBRAGE_HIGHP float depth) {
+    return min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
 }
 `,
             "encode_float_bits": `
@@ -1269,6 +1350,21 @@ UMBRAGE_HIGHP float umbrage_decode_rg16(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
 UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_rgb10": `
+// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rgb10(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm10(c);
+    return ((k.x * 1024.0 + k.y) * 16.0 + floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_r16": `
+// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_r16(UMBRAGE_HIGHP float c, UMBRAGE_HIGHP float edge) {
+    return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
 }
 `,
             "decode_float_bits": `
@@ -4299,6 +4395,67 @@ float4 umbrage_to_unorm(float4 k) {
     return k * 0.0039215087890625 + 0.0009765625;
 }
 `,
+            "to_unorm10": `
+// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// k * 4099 / 4194304 + 1056 / 4194304
+float umbrage_to_unorm10(float k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+float2 umbrage_to_unorm10(float2 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+float3 umbrage_to_unorm10(float3 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+float4 umbrage_to_unorm10(float4 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+`,
+            "from_unorm10": `
+// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+float umbrage_from_unorm10(float c) {
+    return floor(c * 1023.0 + 0.5);
+}
+float2 umbrage_from_unorm10(float2 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+float3 umbrage_from_unorm10(float3 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+float4 umbrage_from_unorm10(float4 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+`,
+            "to_unorm16": `
+// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+float umbrage_to_unorm16(float k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+float2 umbrage_to_unorm16(float2 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+float3 umbrage_to_unorm16(float3 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+float4 umbrage_to_unorm16(float4 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+`,
+            "from_unorm16": `
+// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+float umbrage_from_unorm16(float c) {
+    return floor(c * 65535.0 + 0.5);
+}
+float2 umbrage_from_unorm16(float2 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+float3 umbrage_from_unorm16(float3 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+float4 umbrage_from_unorm16(float4 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+`,
             "encode_rg9": `
 // umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as far
@@ -4380,6 +4537,26 @@ float3 umbrage_encode_rgb24(float depth) {
     float rest = x - high * 65536.0;
     float middle = floor(rest * (1.0 / 256.0));
     return float3(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
+}
+`,
+            "encode_rgb10": `
+// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
+// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
+//   depth   clamped to [0, 1], NaN counts as far
+float3 umbrage_encode_rgb10(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    float high = floor(x * (1.0 / 16384.0));
+    float rest = x - high * 16384.0;
+    float middle = floor(rest * (1.0 / 16.0));
+    float low = min(rest - middle * 16.0, 15.0);  // below already: no sum is regrouped across the min
+    return float3(high, middle, low * 64.0);
+}
+`,
+            "encode_r16": `
+// umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16
+//   depth   clamped to [0, 1], NaN counts as far
+float umbrage_encode_r16(float depth) {
+    return min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
 }
 `,
             "encode_float_bits": `
@@ -4634,6 +4811,21 @@ float umbrage_decode_rg16(float2 c, float edge) {
 float umbrage_decode_rgb24(float3 c, float edge) {
     float3 k = umbrage_from_unorm(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_rgb10": `
+// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+float umbrage_decode_rgb10(float3 c, float edge) {
+    float3 k = umbrage_from_unorm10(c);
+    return ((k.x * 1024.0 + k.y) * 16.0 + floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_r16": `
+// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+float umbrage_decode_r16(float c, float edge) {
+    return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
 }
 `,
             "decode_float_bits": `
@@ -7473,6 +7665,67 @@ inline float4 umbrage_to_unorm(float4 k) {
     return k * 0.0039215087890625 + 0.0009765625;
 }
 `,
+            "to_unorm10": `
+// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// k * 4099 / 4194304 + 1056 / 4194304
+inline float umbrage_to_unorm10(float k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+inline float2 umbrage_to_unorm10(float2 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+inline float3 umbrage_to_unorm10(float3 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+inline float4 umbrage_to_unorm10(float4 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+`,
+            "from_unorm10": `
+// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+inline float umbrage_from_unorm10(float c) {
+    return metal::floor(c * 1023.0 + 0.5);
+}
+inline float2 umbrage_from_unorm10(float2 c) {
+    return metal::floor(c * 1023.0 + 0.5);
+}
+inline float3 umbrage_from_unorm10(float3 c) {
+    return metal::floor(c * 1023.0 + 0.5);
+}
+inline float4 umbrage_from_unorm10(float4 c) {
+    return metal::floor(c * 1023.0 + 0.5);
+}
+`,
+            "to_unorm16": `
+// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+inline float umbrage_to_unorm16(float k) {
+    return metal::min(k + (metal::floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+inline float2 umbrage_to_unorm16(float2 k) {
+    return metal::min(k + (metal::floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+inline float3 umbrage_to_unorm16(float3 k) {
+    return metal::min(k + (metal::floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+inline float4 umbrage_to_unorm16(float4 k) {
+    return metal::min(k + (metal::floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+`,
+            "from_unorm16": `
+// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+inline float umbrage_from_unorm16(float c) {
+    return metal::floor(c * 65535.0 + 0.5);
+}
+inline float2 umbrage_from_unorm16(float2 c) {
+    return metal::floor(c * 65535.0 + 0.5);
+}
+inline float3 umbrage_from_unorm16(float3 c) {
+    return metal::floor(c * 65535.0 + 0.5);
+}
+inline float4 umbrage_from_unorm16(float4 c) {
+    return metal::floor(c * 65535.0 + 0.5);
+}
+`,
             "encode_rg9": `
 // umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as far
@@ -7554,6 +7807,26 @@ inline float3 umbrage_encode_rgb24(float depth) {
     float rest = x - high * 65536.0;
     float middle = metal::floor(rest * (1.0 / 256.0));
     return float3(high, middle, metal::min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
+}
+`,
+            "encode_rgb10": `
+// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
+// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
+//   depth   clamped to [0, 1], NaN counts as far
+inline float3 umbrage_encode_rgb10(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    float high = metal::floor(x * (1.0 / 16384.0));
+    float rest = x - high * 16384.0;
+    float middle = metal::floor(rest * (1.0 / 16.0));
+    float low = metal::min(rest - middle * 16.0, 15.0);  // below already: no sum is regrouped across the min
+    return float3(high, middle, low * 64.0);
+}
+`,
+            "encode_r16": `
+// umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16
+//   depth   clamped to [0, 1], NaN counts as far
+inline float umbrage_encode_r16(float depth) {
+    return metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
 }
 `,
             "encode_float_bits": `
@@ -7808,6 +8081,21 @@ inline float umbrage_decode_rg16(float2 c, float edge) {
 inline float umbrage_decode_rgb24(float3 c, float edge) {
     float3 k = umbrage_from_unorm(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_rgb10": `
+// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+inline float umbrage_decode_rgb10(float3 c, float edge) {
+    float3 k = umbrage_from_unorm10(c);
+    return ((k.x * 1024.0 + k.y) * 16.0 + metal::floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_r16": `
+// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+inline float umbrage_decode_r16(float c, float edge) {
+    return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
 }
 `,
             "decode_float_bits": `
@@ -10662,6 +10950,67 @@ fn umbrage_to_unorm_vec4f(k: vec4f) -> vec4f {
     return k * 0.0039215087890625 + 0.0009765625;
 }
 `,
+            "to_unorm10": `
+// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// k * 4099 / 4194304 + 1056 / 4194304
+fn umbrage_to_unorm10(k: f32) -> f32 {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+fn umbrage_to_unorm10_vec2f(k: vec2f) -> vec2f {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+fn umbrage_to_unorm10_vec3f(k: vec3f) -> vec3f {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+fn umbrage_to_unorm10_vec4f(k: vec4f) -> vec4f {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+`,
+            "from_unorm10": `
+// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+fn umbrage_from_unorm10(c: f32) -> f32 {
+    return floor(c * 1023.0 + 0.5);
+}
+fn umbrage_from_unorm10_vec2f(c: vec2f) -> vec2f {
+    return floor(c * 1023.0 + 0.5);
+}
+fn umbrage_from_unorm10_vec3f(c: vec3f) -> vec3f {
+    return floor(c * 1023.0 + 0.5);
+}
+fn umbrage_from_unorm10_vec4f(c: vec4f) -> vec4f {
+    return floor(c * 1023.0 + 0.5);
+}
+`,
+            "to_unorm16": `
+// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+fn umbrage_to_unorm16(k: f32) -> f32 {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+fn umbrage_to_unorm16_vec2f(k: vec2f) -> vec2f {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), vec2f(65536.0)) * (1.0 / 65536.0);
+}
+fn umbrage_to_unorm16_vec3f(k: vec3f) -> vec3f {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), vec3f(65536.0)) * (1.0 / 65536.0);
+}
+fn umbrage_to_unorm16_vec4f(k: vec4f) -> vec4f {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), vec4f(65536.0)) * (1.0 / 65536.0);
+}
+`,
+            "from_unorm16": `
+// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+fn umbrage_from_unorm16(c: f32) -> f32 {
+    return floor(c * 65535.0 + 0.5);
+}
+fn umbrage_from_unorm16_vec2f(c: vec2f) -> vec2f {
+    return floor(c * 65535.0 + 0.5);
+}
+fn umbrage_from_unorm16_vec3f(c: vec3f) -> vec3f {
+    return floor(c * 65535.0 + 0.5);
+}
+fn umbrage_from_unorm16_vec4f(c: vec4f) -> vec4f {
+    return floor(c * 65535.0 + 0.5);
+}
+`,
             "encode_rg9": `
 // umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as far
@@ -10743,6 +11092,26 @@ fn umbrage_encode_rgb24(depth: f32) -> vec3f {
     let rest: f32 = x - high * 65536.0;
     let middle: f32 = floor(rest * (1.0 / 256.0));
     return vec3f(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
+}
+`,
+            "encode_rgb10": `
+// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
+// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rgb10(depth: f32) -> vec3f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    let high: f32 = floor(x * (1.0 / 16384.0));
+    let rest: f32 = x - high * 16384.0;
+    let middle: f32 = floor(rest * (1.0 / 16.0));
+    let low: f32 = min(rest - middle * 16.0, 15.0);  // below already: no sum is regrouped across the min
+    return vec3f(high, middle, low * 64.0);
+}
+`,
+            "encode_r16": `
+// umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_r16(depth: f32) -> f32 {
+    return min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
 }
 `,
             "encode_float_bits": `
@@ -10997,6 +11366,21 @@ fn umbrage_decode_rg16(c: vec2f, edge: f32) -> f32 {
 fn umbrage_decode_rgb24(c: vec3f, edge: f32) -> f32 {
     let k: vec3f = umbrage_from_unorm_vec3f(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_rgb10": `
+// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+fn umbrage_decode_rgb10(c: vec3f, edge: f32) -> f32 {
+    let k: vec3f = umbrage_from_unorm10_vec3f(c);
+    return ((k.x * 1024.0 + k.y) * 16.0 + floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_r16": `
+// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+fn umbrage_decode_r16(c: f32, edge: f32) -> f32 {
+    return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
 }
 `,
             "decode_float_bits": `
@@ -13424,6 +13808,10 @@ const rows = [
     ["correct_quotient", "correct_quotient", "a quotient of whole numbers, from one at most one off", "a", 0, 0, false, "100", "none", false, []],
     ["floor_divide", "floor_divide", "whole numbers divided and rounded down, whatever the division's error", "a", 0, 0, false, "100", "none", false, ["correct_quotient"]],
     ["to_unorm", "to_unorm", "channel 0..255 to the value an 8-bit target stores as it", "a", 0, 0, false, "100", "none", false, []],
+    ["to_unorm10", "to_unorm10", "channel 0..1023 to the value a 10-bit target stores as it", "a", 0, 0, false, "100", "none", false, []],
+    ["from_unorm10", "from_unorm10", "value read from a 10-bit texture to channel 0..1023", "a", 0, 0, false, "100", "none", false, []],
+    ["to_unorm16", "to_unorm16", "channel 0..65535 to the value a 16-bit target stores as it", "a", 0, 0, false, "100", "none", false, []],
+    ["from_unorm16", "from_unorm16", "value read from a 16-bit texture to channel 0..65535", "a", 0, 0, false, "100", "none", false, []],
     ["encode_rg9", "encode_rg9", "depth to two channels, R the low byte", "a", 0, 0, false, "100", "none", false, ["saturate"]],
     ["encode_rg10", "encode_rg10", "depth to two channels, R the low byte", "a", 0, 0, false, "100", "none", false, ["saturate"]],
     ["encode_rg11", "encode_rg11", "depth to two channels, R the low byte", "a", 0, 0, false, "100", "none", false, ["saturate"]],
@@ -13433,6 +13821,8 @@ const rows = [
     ["encode_rg15", "encode_rg15", "depth to two channels, R the low byte", "a", 0, 0, false, "100", "none", false, ["saturate"]],
     ["encode_rg16", "encode_rg16", "depth to two channels, R the low byte", "a", 0, 0, false, "100", "none", false, ["saturate"]],
     ["encode_rgb24", "encode_rgb24", "depth to three channels, R most significant", "a", 0, 0, false, "100", "none", false, ["saturate"]],
+    ["encode_rgb10", "encode_rgb10", "depth to three 10-bit channels, R most significant", "a", 0, 0, false, "100", "none", false, ["saturate"]],
+    ["encode_r16", "encode_r16", "depth to one channel of 16 bits", "a", 0, 0, false, "100", "none", false, ["saturate"]],
     ["encode_float_bits", "encode_float_bits", "any float's bit pattern to four channels, R least significant", "a", 0, 0, false, "300 es", "none", false, []],
     ["write_threejs_rgba", "write_threejs_rgba", "depth to three.js RGBA, r167 and later", "b", 5, 0, false, "100", "none", false, ["saturate"]],
     ["write_threejs_rgb", "write_threejs_rgb", "depth to three.js RGB, r167 and later", "b", 3, 0, false, "100", "none", false, ["saturate"]],
@@ -13459,6 +13849,8 @@ const rows = [
     ["decode_rg15", "decode_rg15", "two channels, R the low byte, to depth", "a", 0, 0, false, "100", "none", false, ["from_unorm"]],
     ["decode_rg16", "decode_rg16", "two channels, R the low byte, to depth", "a", 0, 0, false, "100", "none", false, ["from_unorm"]],
     ["decode_rgb24", "decode_rgb24", "three channels, R most significant, to depth", "a", 0, 0, false, "100", "none", false, ["from_unorm"]],
+    ["decode_rgb10", "decode_rgb10", "three 10-bit channels, R most significant, to depth", "a", 0, 0, false, "100", "none", false, ["from_unorm10"]],
+    ["decode_r16", "decode_r16", "one channel of 16 bits to depth", "a", 0, 0, false, "100", "none", false, ["from_unorm16"]],
     ["decode_float_bits", "decode_float_bits", "four channels, R least significant, to the float they are", "a", 0, 0, false, "300 es", "none", false, ["saturate"]],
     ["decode_threejs_rgba", "decode_threejs_rgba", "three.js RGBA, r167 and later, to depth", "b", 7, 0, false, "100", "none", false, []],
     ["decode_threejs_rgb", "decode_threejs_rgb", "three.js RGB, r167 and later, to depth", "b", 5, 0, false, "100", "none", false, []],
@@ -13653,82 +14045,90 @@ const hooks = part(true);
 const snippets = part(false);
 const encodings = {
     depth32f: { direction: "forward", depth: "", channels: 1, needs: [],
-        write: snippets.saturate, writes: "depth", cleared: [1, 0, 0, 0],
+        write: snippets.saturate, writes: "depth", format: "R32F", cleared: [1, 0, 0, 0],
         reversed: { direction: "reversed", depth: "", channels: 1, needs: [],
-        write: snippets.saturate, writes: "depth", cleared: [0, 0, 0, 0] } },
+        write: snippets.saturate, writes: "depth", format: "R32F", cleared: [0, 0, 0, 0] } },
     rg9: { direction: "forward", depth: "umbrage_decode_rg9(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg9],
-        write: snippets.encode_rg9, writes: "bytes", cleared: [255 / 255, 128 / 255, 0, 0],
+        write: snippets.encode_rg9, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 128 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg9(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg9],
-        write: snippets.encode_rg9, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        write: snippets.encode_rg9, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg10: { direction: "forward", depth: "umbrage_decode_rg10(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg10],
-        write: snippets.encode_rg10, writes: "bytes", cleared: [255 / 255, 192 / 255, 0, 0],
+        write: snippets.encode_rg10, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 192 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg10(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg10],
-        write: snippets.encode_rg10, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        write: snippets.encode_rg10, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg11: { direction: "forward", depth: "umbrage_decode_rg11(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg11],
-        write: snippets.encode_rg11, writes: "bytes", cleared: [255 / 255, 224 / 255, 0, 0],
+        write: snippets.encode_rg11, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 224 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg11(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg11],
-        write: snippets.encode_rg11, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        write: snippets.encode_rg11, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg12: { direction: "forward", depth: "umbrage_decode_rg12(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg12],
-        write: snippets.encode_rg12, writes: "bytes", cleared: [255 / 255, 240 / 255, 0, 0],
+        write: snippets.encode_rg12, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 240 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg12(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg12],
-        write: snippets.encode_rg12, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        write: snippets.encode_rg12, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg13: { direction: "forward", depth: "umbrage_decode_rg13(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg13],
-        write: snippets.encode_rg13, writes: "bytes", cleared: [255 / 255, 248 / 255, 0, 0],
+        write: snippets.encode_rg13, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 248 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg13(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg13],
-        write: snippets.encode_rg13, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        write: snippets.encode_rg13, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg14: { direction: "forward", depth: "umbrage_decode_rg14(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg14],
-        write: snippets.encode_rg14, writes: "bytes", cleared: [255 / 255, 252 / 255, 0, 0],
+        write: snippets.encode_rg14, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 252 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg14(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg14],
-        write: snippets.encode_rg14, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        write: snippets.encode_rg14, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg15: { direction: "forward", depth: "umbrage_decode_rg15(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg15],
-        write: snippets.encode_rg15, writes: "bytes", cleared: [255 / 255, 254 / 255, 0, 0],
+        write: snippets.encode_rg15, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 254 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg15(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg15],
-        write: snippets.encode_rg15, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        write: snippets.encode_rg15, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg16: { direction: "forward", depth: "umbrage_decode_rg16(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg16],
-        write: snippets.encode_rg16, writes: "bytes", cleared: [255 / 255, 255 / 255, 0, 0],
+        write: snippets.encode_rg16, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 255 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg16(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg16],
-        write: snippets.encode_rg16, writes: "bytes", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        write: snippets.encode_rg16, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rgb24: { direction: "forward", depth: "umbrage_decode_rgb24(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb24],
-        write: snippets.encode_rgb24, writes: "bytes", cleared: [255 / 255, 255 / 255, 255 / 255, 0],
+        write: snippets.encode_rgb24, writes: "integers", format: "RGB8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 255 / 255, 255 / 255, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rgb24(value.xyz, 0.0)", channels: 3, needs: [snippets.decode_rgb24],
-        write: snippets.encode_rgb24, writes: "bytes", cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
+        write: snippets.encode_rgb24, writes: "integers", format: "RGB8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
+    rgb10: { direction: "forward", depth: "umbrage_decode_rgb10(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb10],
+        write: snippets.encode_rgb10, writes: "integers", format: "RGB10_A2", to_unorm: snippets.to_unorm10, cleared: [1023 / 1023, 1023 / 1023, 960 / 1023, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_rgb10(value.xyz, 0.0)", channels: 3, needs: [snippets.decode_rgb10],
+        write: snippets.encode_rgb10, writes: "integers", format: "RGB10_A2", to_unorm: snippets.to_unorm10, cleared: [0 / 1023, 0 / 1023, 0 / 1023, 0] } },
+    r16: { direction: "forward", depth: "umbrage_decode_r16(value.x, 1.0)", channels: 1, needs: [snippets.decode_r16],
+        write: snippets.encode_r16, writes: "integers", format: "R16", to_unorm: snippets.to_unorm16, cleared: [65535 / 65535, 0, 0, 0],
+        reversed: { direction: "reversed", depth: "umbrage_decode_r16(value.x, 0.0)", channels: 1, needs: [snippets.decode_r16],
+        write: snippets.encode_r16, writes: "integers", format: "R16", to_unorm: snippets.to_unorm16, cleared: [0 / 65535, 0, 0, 0] } },
     float_bits: { direction: "forward", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
-        write: snippets.encode_float_bits, writes: "bytes", cleared: [0 / 255, 0 / 255, 128 / 255, 63 / 255],
+        write: snippets.encode_float_bits, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 128 / 255, 63 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
-        write: snippets.encode_float_bits, writes: "bytes", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        write: snippets.encode_float_bits, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     threejs_rgba: { direction: "forward", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
-        write: snippets.write_threejs_rgba, writes: "values", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
+        write: snippets.write_threejs_rgba, writes: "values", format: "RGBA8", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
-        write: snippets.write_threejs_rgba, writes: "values", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        write: snippets.write_threejs_rgba, writes: "values", format: "RGBA8", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     threejs_rgb: { direction: "forward", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
-        write: snippets.write_threejs_rgb, writes: "values", cleared: [255 / 255, 255 / 255, 255 / 255, 0],
+        write: snippets.write_threejs_rgb, writes: "values", format: "RGB8", cleared: [255 / 255, 255 / 255, 255 / 255, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
-        write: snippets.write_threejs_rgb, writes: "values", cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
+        write: snippets.write_threejs_rgb, writes: "values", format: "RGB8", cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
     threejs_rg: { direction: "forward", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
-        write: snippets.write_threejs_rg, writes: "values", cleared: [255 / 255, 255 / 255, 0, 0],
+        write: snippets.write_threejs_rg, writes: "values", format: "RG8", cleared: [255 / 255, 255 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
-        write: snippets.write_threejs_rg, writes: "values", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        write: snippets.write_threejs_rg, writes: "values", format: "RG8", cleared: [0 / 255, 0 / 255, 0, 0] } },
     threejs_legacy: { direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-        write: snippets.write_threejs_legacy, writes: "values", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
+        write: snippets.write_threejs_legacy, writes: "values", format: "RGBA8", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-        write: snippets.write_threejs_legacy, writes: "values", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        write: snippets.write_threejs_legacy, writes: "values", format: "RGBA8", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     threejs_legacy_repaired: { direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-        write: snippets.encode_threejs_legacy_repaired, writes: "bytes", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
+        write: snippets.encode_threejs_legacy_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-        write: snippets.encode_threejs_legacy_repaired, writes: "bytes", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        write: snippets.encode_threejs_legacy_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     base255: { direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-        write: snippets.write_base255, writes: "values", cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
+        write: snippets.write_base255, writes: "values", format: "RGBA8", cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-        write: snippets.write_base255, writes: "values", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        write: snippets.write_base255, writes: "values", format: "RGBA8", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     base255_repaired: { direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-        write: snippets.encode_base255_repaired, writes: "bytes", cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
+        write: snippets.encode_base255_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-        write: snippets.encode_base255_repaired, writes: "bytes", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        write: snippets.encode_base255_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
 };
 const glsl = in_language('glsl');
 const hlsl = in_language('hlsl');
 const msl = in_language('msl');
 const wgsl = in_language('wgsl');
-const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;
+const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;
 
-module.exports = { bind, exactness, supports, text, source, versions, snippets, encodings, glsl, hlsl, msl, wgsl, shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel };
+module.exports = { bind, exactness, supports, text, source, versions, snippets, encodings, glsl, hlsl, msl, wgsl, shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel };

@@ -50,9 +50,13 @@ export interface Binding {
 export interface Encoding extends Readonly<Binding> {
     /** What makes a texel of a depth. */
     readonly write: Snippet;
-    /** What it returns: a depth for a float target; bytes, 0 to 255, of which to_unorm makes values; values for a UNORM
+    /** What it returns: a depth for a float target; integer channels, of which to_unorm makes values; values for a UNORM
      *  target. */
-    readonly writes: 'depth' | 'bytes' | 'values';
+    readonly writes: 'depth' | 'integers' | 'values';
+    /** Of integer channels: what makes them the values to write. */
+    readonly to_unorm?: Snippet;
+    /** The target's format, as OpenGL calls it: RG8, R16, RGB10_A2, ... */
+    readonly format: string;
     /** What the target is cleared to: where nothing is drawn all is lit. Channels that the texel lacks are 0. */
     readonly cleared: readonly [number, number, number, number];
 }
@@ -76,7 +80,7 @@ export interface VersionedLanguage {
 export const versions: readonly Version[];
 export const snippets: Readonly<Record<string, Snippet>>;
 /** The maps that texels of the library's encodings make. */
-export const encodings: Readonly<Record<'depth32f' | 'rg9' | 'rg10' | 'rg11' | 'rg12' | 'rg13' | 'rg14' | 'rg15' | 'rg16' | 'rgb24' | 'float_bits' | 'threejs_rgba' | 'threejs_rgb' | 'threejs_rg' | 'threejs_legacy' | 'threejs_legacy_repaired' | 'base255' | 'base255_repaired', Encoding & { readonly reversed: Encoding }>>;
+export const encodings: Readonly<Record<'depth32f' | 'rg9' | 'rg10' | 'rg11' | 'rg12' | 'rg13' | 'rg14' | 'rg15' | 'rg16' | 'rgb24' | 'rgb10' | 'r16' | 'float_bits' | 'threejs_rgba' | 'threejs_rgb' | 'threejs_rg' | 'threejs_legacy' | 'threejs_legacy_repaired' | 'base255' | 'base255_repaired', Encoding & { readonly reversed: Encoding }>>;
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export function bind(what: Snippet, name: string, map?: Binding): Bound;
@@ -204,6 +208,14 @@ export const correct_quotient: Snippet;
 export const floor_divide: Snippet;
 /** channel 0..255 to the value an 8-bit target stores as it */
 export const to_unorm: Snippet;
+/** channel 0..1023 to the value a 10-bit target stores as it */
+export const to_unorm10: Snippet;
+/** value read from a 10-bit texture to channel 0..1023 */
+export const from_unorm10: Snippet;
+/** channel 0..65535 to the value a 16-bit target stores as it */
+export const to_unorm16: Snippet;
+/** value read from a 16-bit texture to channel 0..65535 */
+export const from_unorm16: Snippet;
 /** depth to two channels, R the low byte */
 export const encode_rg9: Snippet;
 /** depth to two channels, R the low byte */
@@ -222,6 +234,10 @@ export const encode_rg15: Snippet;
 export const encode_rg16: Snippet;
 /** depth to three channels, R most significant */
 export const encode_rgb24: Snippet;
+/** depth to three 10-bit channels, R most significant */
+export const encode_rgb10: Snippet;
+/** depth to one channel of 16 bits */
+export const encode_r16: Snippet;
 /** any float's bit pattern to four channels, R least significant */
 export const encode_float_bits: Snippet;
 /** depth to three.js RGBA, r167 and later */
@@ -274,6 +290,10 @@ export const decode_rg15: Snippet;
 export const decode_rg16: Snippet;
 /** three channels, R most significant, to depth */
 export const decode_rgb24: Snippet;
+/** three 10-bit channels, R most significant, to depth */
+export const decode_rgb10: Snippet;
+/** one channel of 16 bits to depth */
+export const decode_r16: Snippet;
 /** four channels, R least significant, to the float they are */
 export const decode_float_bits: Snippet;
 /** three.js RGBA, r167 and later, to depth */

@@ -292,7 +292,7 @@ umbrage::image<glm::u8vec3> false_colors(const lit_view& v, const umbrage::image
             const surface at = surface_at(v.scene, v.camera, v.seen, p * step);
             const float shade = 0.6f + 0.4f * glm::dot(at.face_normal, glm::normalize(v.camera.position - at.position));
             const float level = 0.5f + std::log2(extents[p]) / 6;
-            out[p] = umbrage::store_unorm8(shade * (extents[p] > 0 ? umbrage::false_color(level) : glm::vec3(0.2f)));
+            out[p] = umbrage::store_unorm(shade * (extents[p] > 0 ? umbrage::false_color(level) : glm::vec3(0.2f)));
         }
     return out;
 }

@@ -2,6 +2,7 @@
 #include "shadow_map.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,7 +13,9 @@
 namespace example {
 namespace {
 
-/// The bytes of a texel as image viewers can show them.
+/// The bytes of a texel as image viewers can show them, of wider channels the high ones.
+glm::u8vec3 bytes(std::uint16_t texel) { return {texel >> 8, texel & 255, 0}; }
+glm::u8vec3 bytes(std::uint32_t rgb10) { return umbrage::rgb10::target::unpacked(rgb10) >> std::uint16_t(2); }
 glm::u8vec3 bytes(glm::u8vec2 texel) { return {texel, 0}; }
 glm::u8vec3 bytes(glm::u8vec3 texel) { return texel; }
 glm::u8vec4 bytes(glm::u8vec4 texel) { return texel; }

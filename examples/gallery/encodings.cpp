@@ -22,12 +22,12 @@ namespace glsl = umbrage::glsl;
 /// What writes and reads it.
 template <class Encoding>
 std::vector<glsl::snippet> snippets_of(const Encoding& encoding) {
-    if (encoding.writes == umbrage::written::depth) return {glsl::fetch_clamped, glsl::fetch_depth};
+    if (encoding.writes == umbrage::store_format::depth) return {glsl::fetch_clamped, glsl::fetch_depth};
     std::vector<glsl::snippet> all{*encoding.writer};
     if constexpr (requires { Encoding::bits; })
         if constexpr (std::same_as<Encoding, umbrage::rg<Encoding::bits>>)
             all.push_back(glsl::encode_rg_table<Encoding::bits>);
-    if (encoding.writes == umbrage::written::bytes) all.push_back(glsl::to_unorm);
+    if (encoding.writes == umbrage::store_format::integers) all.push_back(*Encoding::target::to_unorm);
     all.push_back(*encoding.reader);
     all.push_back(glsl::fetch_depth);
     return all;

@@ -24,7 +24,7 @@ namespace {
 /// One channel of 8 bits: what there was before the tricks.
 struct eight_bits {
     using texel = std::uint8_t;
-    [[nodiscard]] texel encode(float depth) const { return umbrage::store_unorm8(depth); }
+    [[nodiscard]] texel encode(float depth) const { return umbrage::store_unorm(depth); }
     [[nodiscard]] float decode(texel t) const { return static_cast<float>(t) / 255.0f; }
     [[nodiscard]] texel cleared() const { return 255; }
 };
@@ -59,7 +59,7 @@ float receiver_of(const example::shadow_system& s, float depth) {
     switch (s.receiver) {
         case example::receiver_kind::scaled: return umbrage::receiver_ps14(depth);
         case example::receiver_kind::encoded:
-            return umbrage::decode_ps14(umbrage::load_unorm8(umbrage::encode_rg<11>(depth)));
+            return umbrage::decode_ps14(umbrage::load_unorm(umbrage::encode_rg<11>(depth)));
         case example::receiver_kind::plain: break;
     }
     return depth;
@@ -78,7 +78,7 @@ umbrage::image<float> decoded_ps14(const stored_depth& map) {
     umbrage::image<float> out(map.depth.size());
     for (std::size_t i = 0; i < out.texels().size(); ++i)
         out.texels()[i] = umbrage::decode_ps14(
-            umbrage::load_unorm8(glm::u8vec2(map.channels[0].texels()[i], map.channels[1].texels()[i])));
+            umbrage::load_unorm(glm::u8vec2(map.channels[0].texels()[i], map.channels[1].texels()[i])));
     return out;
 }
 

@@ -110,7 +110,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
         std::size_t other = 0;
         for (std::size_t i = 0; i < visibility.texels().size(); ++i)
             other +=
-                std::abs(int(gl->visibility.texels()[i].r) - int(umbrage::store_unorm8(visibility.texels()[i]))) > 64;
+                std::abs(int(gl->visibility.texels()[i].r) - int(umbrage::store_unorm(visibility.texels()[i]))) > 64;
         figures.push_back({page::file(gl->picture), "On OpenGL, with the snippets below"});
         figures.push_back({page::file(gl->mask), "Visibility on OpenGL"});
         numbers.push_back({"OpenGL", gl->frame});

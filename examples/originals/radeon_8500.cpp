@@ -55,7 +55,7 @@ void run(const options& o) {
         return umbrage::encode_rg_table<11>([](int x) { return table[static_cast<std::size_t>(x)]; }, z);
     });
     umbrage::image<std::uint8_t> map_8(depth.size());  // what a single channel would have held
-    std::ranges::transform(depth.texels(), map_8.texels().begin(), [](float z) { return umbrage::store_unorm8(z); });
+    std::ranges::transform(depth.texels(), map_8.texels().begin(), [](float z) { return umbrage::store_unorm(z); });
 
     // Four taps in the map for a point, and its depth.
     // fetch: texel -> what the map holds, decoded;  scale: the depth on decode's scale
@@ -75,7 +75,7 @@ void run(const options& o) {
             return light.cone(s.position) * lit;
         });
     };
-    const auto sampled = [&, fetch = umbrage::clamped(map)](glm::ivec2 t) { return umbrage::load_unorm8(fetch(t)); };
+    const auto sampled = [&, fetch = umbrage::clamped(map)](glm::ivec2 t) { return umbrage::load_unorm(fetch(t)); };
     const auto as_it_is = [](float z) { return z; };
 
     // Fetch and decode, in four ways.

@@ -42,7 +42,7 @@ void run(const options& o) {
     std::ranges::transform(depth.texels(), map.texels().begin(), look_up);
 
     // Fetch and decode: shift red right by three, add green.
-    const auto decode = [](glm::u8vec2 texel) { return umbrage::decode_ps14(umbrage::load_unorm8(texel)); };
+    const auto decode = [](glm::u8vec2 texel) { return umbrage::decode_ps14(umbrage::load_unorm(texel)); };
     const auto looked_up = [&, texel = umbrage::clamped(map)](glm::ivec2 t) { return decode(texel(t)); };
 
     // Visibility: one texel, one comparison.

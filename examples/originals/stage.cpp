@@ -108,7 +108,7 @@ picture side_by_side(std::span<const picture> pictures) {
 picture gray(const umbrage::image<float>& values) {
     picture out(values.size());
     std::ranges::transform(values.texels(), out.texels().begin(),
-                           [](float v) { return glm::u8vec3(umbrage::store_unorm8(v)); });
+                           [](float v) { return glm::u8vec3(umbrage::store_unorm(v)); });
     return out;
 }
 

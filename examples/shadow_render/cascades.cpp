@@ -124,7 +124,7 @@ umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> shaded, const umb
             if (v.seen[p * samples] == example::nothing) continue;
             const auto [number, weight] = place_of(u, distances[p * samples]);
             const glm::vec3 tint = glm::mix(tints[number], tints[number + 1], weight);
-            shaded[p] = umbrage::store_unorm8(glm::vec3(shaded[p]) / 255.0f * tint);
+            shaded[p] = umbrage::store_unorm(glm::vec3(shaded[p]) / 255.0f * tint);
         }
     return shaded;
 }

@@ -82,7 +82,7 @@ constexpr glm::vec3 mark(0.9f, 0.1f, 0.1f);  ///< red
         const umbrage::placed_point in = lit(at);
         const bool other = then && std::abs(then(at).visibility - in.visibility) >= 1.0 / 256;
         out[p] =
-            other ? umbrage::store_unorm8(mark)
+            other ? umbrage::store_unorm(mark)
                   : example::to_srgb(umbrage::diffuse_ambient(at.color, ambient, glm::dot(at.normal, to_light),
                                                               in.map < 0 ? 1.0f : static_cast<float>(in.visibility)));
     });

@@ -22,11 +22,11 @@ void write(const options& o, const example::shadow_map& map, const umbrage::imag
     const umbrage::contrast_stretch stretch = umbrage::stretch(map.depth, map.cleared);
     umbrage::image<glm::u8vec3> colors(map.depth.size());
     std::ranges::transform(map.depth.texels(), colors.texels().begin(),
-                           [&](float d) { return umbrage::store_unorm8(umbrage::false_color(stretch(d))); });
+                           [&](float d) { return umbrage::store_unorm(umbrage::false_color(stretch(d))); });
     umbrage::image<std::uint8_t> mask(lit.size());
     for (int y = 0; y < mask.size().y; ++y)
         for (int x = 0; x < mask.size().x; ++x)
-            mask[{x, y}] = umbrage::store_unorm8(mean<float>(x, o.samples, [&](int at, int row) {
+            mask[{x, y}] = umbrage::store_unorm(mean<float>(x, o.samples, [&](int at, int row) {
                 return visibility[{at, y * o.samples + row}];
             }));
     const int corner = std::min(o.width, o.height) / 4;

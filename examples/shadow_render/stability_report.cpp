@@ -160,7 +160,7 @@ picture from_above(const options& o, const example::scene& scene, const film_loo
         const umbrage::placed_point now = lit(at), then = first(at);
         const bool same = now.map != then.map || now.visibility == then.visibility;
         const glm::vec3 gray(static_cast<float>(0.15 + 0.7 * now.visibility));
-        out[p] = umbrage::store_unorm8(same ? gray : mark);
+        out[p] = umbrage::store_unorm(same ? gray : mark);
     });
     return out;
 }

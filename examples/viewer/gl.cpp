@@ -72,10 +72,17 @@ program::program(stages text) : id_(linked(text)), text_(std::move(text)) {}
 target::target(glm::ivec2 size_, texels_of kind_) : size(size_), kind(kind_) {
     glBindTexture(GL_TEXTURE_2D, texels);
     nearest_texel();
-    const bool bytes = kind == texels_of::bytes, one = kind == texels_of::depth;
-    const auto format = bytes ? (epoxy_is_desktop_gl() ? GL_RGBA8 : GL_RGBA) : one ? GL_R32F : GL_RGBA32F;
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), size.x, size.y, 0, one ? GL_RED : GL_RGBA,
-                 bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
+    struct names {
+        int internal;
+        GLenum channels, type;
+    };
+    const names formats[]{{epoxy_is_desktop_gl() ? GL_RGBA8 : GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE},
+                          {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV},
+                          {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT},
+                          {GL_R32F, GL_RED, GL_FLOAT},
+                          {GL_RGBA32F, GL_RGBA, GL_FLOAT}};
+    const names& format = formats[static_cast<std::size_t>(kind)];
+    glTexImage2D(GL_TEXTURE_2D, 0, format.internal, size.x, size.y, 0, format.channels, format.type, nullptr);
     const bool deep = epoxy_is_desktop_gl() || epoxy_has_gl_extension("GL_OES_depth24");
     glBindRenderbuffer(GL_RENDERBUFFER, depth);
     glRenderbufferStorage(GL_RENDERBUFFER, deep ? GL_DEPTH_COMPONENT24 : GL_DEPTH_COMPONENT16, size.x, size.y);
@@ -84,7 +91,7 @@ target::target(glm::ivec2 size_, texels_of kind_) : size(size_), kind(kind_) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("OpenGL cannot draw into " + std::to_string(size.x) + " x " + std::to_string(size.y) +
-                                 (bytes ? " texels here" : " texels of floats here"));
+                                 (format.type == GL_FLOAT ? " texels of floats here" : " texels here"));
 }
 
 handle<texture_kind> make_table(glm::ivec2 size, const void* rgba) {

@@ -141,7 +141,8 @@ private:
     stages text_;
 };
 
-enum class texels_of { bytes, depth, moments };  ///< four bytes, one float, four floats
+/// Four channels of 8 bits, three of ten and alpha, four of 16; one float, four floats.
+enum class texels_of { bytes, tens, shorts, depth, moments };
 
 /// Texels to draw into, with a depth buffer, and to read from.
 struct target {

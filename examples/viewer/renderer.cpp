@@ -120,7 +120,7 @@ void renderer::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
     const int edge = s.system.map_size;
     const example::light light =
         example::make_light(s.system, s.scene, s.system.azimuth, s.system.elevation, edge, umbrage::opengl_clip_space);
-    const texels_of kind = encoding_called(s.system.encoding).floats() ? texels_of::depth : texels_of::bytes;
+    const texels_of kind = encoding_called(s.system.encoding).texels;
     bind(1, table_);
     bind(0, 0);
     if (!map_ || map_->size.x != edge || map_->kind != kind) map_.emplace(glm::ivec2(edge), kind);

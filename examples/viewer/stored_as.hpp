@@ -20,32 +20,42 @@
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/shader/glsl.hpp>
 
+#include "gl.hpp"
+
 namespace viewer {
 
 namespace glsl = umbrage::glsl;
 
+/// The target that an encoding needs.
+template <class Target>
+[[nodiscard]] constexpr texels_of texels_for() {
+    if constexpr (std::is_same_v<Target, umbrage::float_target>) return texels_of::depth;
+    else return Target::bits == 8 ? texels_of::bytes : (Target::bits == 10 ? texels_of::tens : texels_of::shorts);
+}
+
 struct stored_as {
     const glsl::snippet* writer;
-    umbrage::written writes;
+    const glsl::snippet* to_unorm;  ///< of integer channels; null: what the writer returns is written
+    texels_of texels;
     glsl::binding map;  ///< as shaders read it
     float below;        ///< how far a reader may answer below the depth that was written
     glm::vec4 cleared;  ///< what an empty texel is cleared to
-
-    [[nodiscard]] bool floats() const { return map.needs.empty(); }
 
     /// Expression of type vec4: what to write into the map.
     [[nodiscard]] std::string write(const std::string& depth) const {
         constexpr std::array zeros{"", ", 0.0, 0.0, 0.0", ", 0.0, 0.0", ", 0.0", ""};
         std::string value = "umbrage_" + std::string(writer->name) + "(" + depth + ")";
-        if (writes == umbrage::written::bytes) value = "umbrage_to_unorm(" + value + ")";
+        if (to_unorm) value = "umbrage_" + std::string(to_unorm->name) + "(" + value + ")";
         return "vec4(" + value + zeros[static_cast<std::size_t>(map.channels)] + ")";
     }
 
-    [[nodiscard]] std::vector<glsl::snippet> writers() const { return {*writer, glsl::to_unorm}; }
+    [[nodiscard]] std::vector<glsl::snippet> writers() const {
+        return {*writer, to_unorm ? *to_unorm : glsl::to_unorm};
+    }
 
     /// Whether bytes and GLSL 100 are enough.
     [[nodiscard]] bool on_es2() const {
-        return !floats() && supports(*writer, glsl::version::v100) &&
+        return texels == texels_of::bytes && supports(*writer, glsl::version::v100) &&
                supports(bind(glsl::fetch_depth, "", map), glsl::version::v100);
     }
 };
@@ -54,13 +64,13 @@ struct stored_as {
 [[nodiscard]] inline stored_as encoding_called(std::string_view name) {
     stored_as out{};
     const bool found = umbrage::with_encoding(name, [&]<class Encoding>(const Encoding& encoding) {
-        const auto texel = encoding.cleared();
-        glm::vec4 cleared(0);
-        if constexpr (std::is_same_v<typename Encoding::texel, float>) cleared.x = texel;
-        else
-            for (int c = 0; c < texel.length(); ++c) cleared[c] = static_cast<float>(texel[c]) / 255.0f;
-        out = {Encoding::writer, Encoding::writes, glsl::stored_as(encoding),
-               static_cast<float>(encoding.error().below), cleared};
+        using kept = typename Encoding::target;
+        out = {Encoding::writer,
+               Encoding::writes == umbrage::store_format::integers ? kept::to_unorm : nullptr,
+               texels_for<kept>(),
+               glsl::stored_as(encoding),
+               static_cast<float>(encoding.error().below),
+               kept::load(encoding.cleared())};
     });
     if (!found) throw std::invalid_argument("no encoding is called " + std::string(name));
     return out;

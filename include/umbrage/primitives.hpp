@@ -31,9 +31,12 @@
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/depth/float_bits.hpp>
+#include <umbrage/depth/r16.hpp>
+#include <umbrage/depth/render_target.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
+#include <umbrage/depth/rgb10.hpp>
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/filter/blocker/dpcf.hpp>
 #include <umbrage/filter/blocker/pcss.hpp>

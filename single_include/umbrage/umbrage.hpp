@@ -260,8 +260,8 @@ struct snippet {
     literal name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
     literal summary{};  ///< one line
     tier exactness = tier::a;
-    int operations = 0;   ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
-    float within = 0.0f;  ///< tier c without n: greatest difference from C++; above 1 a share of it
+    int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
+    float within = 0.0f;      ///< tier c without n: greatest difference from C++; above 1 a share of it
     bool as_written = false;  ///< `within` holds where + - * round to nearest in written order, no bound elsewhere
     version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     snippet_span needs{};            ///< a list<>
@@ -834,69 +834,96 @@ inline constexpr const snippet* constant_snippets[]{&clamp_bias, &biased};
 }  // namespace umbrage
 
 // ---- umbrage/core/unorm.hpp
-// Between integer channels 0..255 and what an 8-bit render target takes and gives.
+// Between integer channels and what a UNORM render target of 8, 10 or 16 bits a channel takes and gives.
 //
 //     vec4 color = umbrage_to_unorm(channels);     // writing: the same byte whether the store rounds or truncates
 //     vec4 channels = umbrage_from_unorm(texel);   // reading: whole numbers, however the driver divides by 255
 //
+// umbrage_to_unorm10 and umbrage_to_unorm16, and their inverses, do the same for 10 and 16 bits.
 
 namespace umbrage {
 
-/// The value to write so that an 8-bit UNORM target stores channel k, rounding or truncating.
+/// Bits of a UNORM channel.
+template <int Bits>
+concept unorm_bits = Bits == 8 || Bits == 10 || Bits == 16;
+
+/// An integer channel in memory.
+template <int Bits>
+requires unorm_bits<Bits>
+using unorm_channel = std::conditional_t<Bits == 8, std::uint8_t, std::uint16_t>;
+
+/// The value to write so that a UNORM target stores channel k, rounding or truncating.
 ///
-/// @param k     whole number 0..255
-/// @return      about (k + 1/4) / 255, at most 1.00098, which the store clamps
-/// @formula     (257 k + 64) / 65536
-/// @exactness   A: 17 significant bits
-template <real T>
+/// @tparam Bits   of a channel: 8, 10 or 16
+/// @param k       whole number, 0 to n = 2^Bits - 1
+/// @return        about (k + 1/4) / n, with 10 bits down to (k + 1/150) / n; above 1 the store clamps
+/// @formula       8 bits: (257 k + 64) / 2^16
+///                10 bits: (4099 k + 1056) / 2^22, for llvmpipe's sake: it stores 16 bits and cuts six of them off
+///                16 bits: min(k + floor(k / 256) / 256 + 1/4, 65536) / 65536
+/// @exactness     A: at most 24 significant bits, or beyond the min
+template <int Bits = 8, real T>
+requires unorm_bits<Bits>
 [[nodiscard]] constexpr T to_unorm(T k) {
-    return k * T(257.0 / 65536.0) + T(64.0 / 65536.0);
+    if constexpr (Bits == 16) {
+        const T above = T(static_cast<int>(k * T(1.0 / 256.0))) * T(1.0 / 256.0) + T(0.25);
+        const T wide = k + above;
+        return (wide < T(65536) ? wide : T(65536)) * T(1.0 / 65536.0);
+    } else if constexpr (Bits == 10) {
+        return k * T(4099.0 / 4194304.0) + T(1056.0 / 4194304.0);
+    } else {
+        return k * T(257.0 / 65536.0) + T(64.0 / 65536.0);
+    }
 }
-template <glm::length_t L, real T>
+template <int Bits = 8, glm::length_t L, real T>
+requires unorm_bits<Bits>
 [[nodiscard]] constexpr glm::vec<L, T> to_unorm(glm::vec<L, T> k) {
-    for (glm::length_t i = 0; i < L; ++i) k[i] = to_unorm(k[i]);
+    for (glm::length_t i = 0; i < L; ++i) k[i] = to_unorm<Bits>(k[i]);
     return k;
 }
 
-/// The channel behind a value read from an 8-bit UNORM texture.
+/// The channel behind a value read from a UNORM texture.
 ///
-/// @param c     k / 255, up to thousands of ulp off; values no texture gives are not clamped
-/// @return      k, a whole number 0..255
-/// @formula     floor(255 c + 1/2)
-/// @exactness   A for values farther than 2^-15 from the midpoint of two channels
-template <real T>
-[[nodiscard]] T from_unorm(T c) {
-    return std::floor(c * T(255) + T(0.5));
-}
-template <glm::length_t L, real T>
+/// @tparam Bits   of a channel: 8, 10 or 16
+/// @param c       k / n, n = 2^Bits - 1, up to thousands of ulp off, 60 with 16 bits; others are not clamped
+/// @return        k, a whole number 0 to n
+/// @formula       floor(n c + 1/2)
+/// @exactness     A for values farther than 2^(Bits - 23) from the midpoint of two channels
+template <int Bits = 8, real T>
+requires unorm_bits<Bits>
+[[nodiscard]] T from_unorm(T c) { return std::floor(c * T((1 << Bits) - 1) + T(0.5)); }
+template <int Bits = 8, glm::length_t L, real T>
+requires unorm_bits<Bits>
 [[nodiscard]] glm::vec<L, T> from_unorm(glm::vec<L, T> c) {
-    for (glm::length_t i = 0; i < L; ++i) c[i] = from_unorm(c[i]);
+    for (glm::length_t i = 0; i < L; ++i) c[i] = from_unorm<Bits>(c[i]);
     return c;
 }
 
-/// What an 8-bit UNORM render target stores of a written value: C++ only, the target is the twin.
+/// What a UNORM render target stores of a written value: C++ only, the target is the twin.
 enum class unorm_store { rounds, truncates };
 
 /// @param c     any value; clamped to [0, 1], NaN stores 0 as graphics interfaces ask
-template <real T>
-[[nodiscard]] constexpr std::uint8_t store_unorm8(T c, unorm_store mode = unorm_store::rounds) {
+template <int Bits = 8, real T>
+requires unorm_bits<Bits>
+[[nodiscard]] constexpr unorm_channel<Bits> store_unorm(T c, unorm_store mode = unorm_store::rounds) {
     if (is_nan(c)) return 0;
-    const T scaled = saturate(c) * T(255);
-    return static_cast<std::uint8_t>(mode == unorm_store::rounds ? scaled + T(0.5) : scaled);
+    const T scaled = saturate(c) * T((1 << Bits) - 1);
+    return static_cast<unorm_channel<Bits>>(mode == unorm_store::rounds ? scaled + T(0.5) : scaled);
 }
-template <glm::length_t L, real T>
-[[nodiscard]] constexpr glm::vec<L, std::uint8_t> store_unorm8(glm::vec<L, T> c,
-                                                               unorm_store mode = unorm_store::rounds) {
-    glm::vec<L, std::uint8_t> bytes(0);
-    for (glm::length_t i = 0; i < L; ++i) bytes[i] = store_unorm8(c[i], mode);
-    return bytes;
+template <int Bits = 8, glm::length_t L, real T>
+requires unorm_bits<Bits>
+[[nodiscard]] constexpr glm::vec<L, unorm_channel<Bits>> store_unorm(glm::vec<L, T> c,
+                                                                     unorm_store mode = unorm_store::rounds) {
+    glm::vec<L, unorm_channel<Bits>> channels(0);
+    for (glm::length_t i = 0; i < L; ++i) channels[i] = store_unorm<Bits>(c[i], mode);
+    return channels;
 }
 
-/// What sampling gives back of stored bytes.
-template <real T = float, glm::length_t L>
-[[nodiscard]] constexpr glm::vec<L, T> load_unorm8(glm::vec<L, std::uint8_t> bytes) {
+/// What sampling gives back of stored channels.
+template <int Bits = 8, real T = float, glm::length_t L>
+requires unorm_bits<Bits>
+[[nodiscard]] constexpr glm::vec<L, T> load_unorm(glm::vec<L, unorm_channel<Bits>> channels) {
     glm::vec<L, T> c(0);
-    for (glm::length_t i = 0; i < L; ++i) c[i] = T(bytes[i]) / T(255);
+    for (glm::length_t i = 0; i < L; ++i) c[i] = T(channels[i]) / T((1 << Bits) - 1);
     return c;
 }
 
@@ -945,9 +972,177 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 )GLSL",
 };
 
-inline constexpr const snippet* unorm_snippets[]{&to_unorm, &from_unorm};
+inline constexpr snippet to_unorm10{
+    .name = "to_unorm10",
+    .summary = "channel 0..1023 to the value a 10-bit target stores as it",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// k * 4099 / 4194304 + 1056 / 4194304
+UMBRAGE_HIGHP float umbrage_to_unorm10(UMBRAGE_HIGHP float k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm10(UMBRAGE_HIGHP vec2 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm10(UMBRAGE_HIGHP vec3 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm10(UMBRAGE_HIGHP vec4 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+)GLSL",
+};
+
+inline constexpr snippet from_unorm10{
+    .name = "from_unorm10",
+    .summary = "value read from a 10-bit texture to channel 0..1023",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+UMBRAGE_HIGHP float umbrage_from_unorm10(UMBRAGE_HIGHP float c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm10(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm10(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm10(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+)GLSL",
+};
+
+inline constexpr snippet to_unorm16{
+    .name = "to_unorm16",
+    .summary = "channel 0..65535 to the value a 16-bit target stores as it",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+UMBRAGE_HIGHP float umbrage_to_unorm16(UMBRAGE_HIGHP float k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm16(UMBRAGE_HIGHP vec2 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm16(UMBRAGE_HIGHP vec3 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm16(UMBRAGE_HIGHP vec4 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet from_unorm16{
+    .name = "from_unorm16",
+    .summary = "value read from a 16-bit texture to channel 0..65535",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+UMBRAGE_HIGHP float umbrage_from_unorm16(UMBRAGE_HIGHP float c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm16(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm16(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm16(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* unorm_snippets[]{&to_unorm,     &from_unorm, &to_unorm10,
+                                                 &from_unorm10, &to_unorm16, &from_unorm16};
 
 }  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/depth/render_target.hpp
+// What a map's texture keeps of the values that a shader writes into it: bits a channel, channels, and how texels lie
+// in memory. An encoding names its target; tools, tables and shaders ask that.
+//
+//     using target = umbrage::unorm_target<8, 2>;  // RG8
+//     glm::u8vec2 texel = target::store(umbrage::to_unorm(glm::vec2(channels)), umbrage::unorm_store::rounds);
+//
+
+namespace umbrage {
+
+/// A render target and texture for encoded depths.
+template <class Target>
+concept render_target = requires {
+    typename Target::texel;                                                 // in memory
+    { Target::channels } -> std::convertible_to<int>;                       // that a shader writes and reads
+    { Target::format } -> std::convertible_to<std::string_view>;            // as OpenGL calls it
+    { Target::to_unorm } -> std::convertible_to<const glsl::snippet*>;      // of integer channels; null: floats
+    { Target::load(typename Target::texel{}) } -> std::same_as<glm::vec4>;  // as sampled, absent channels 0
+};
+
+/// Floats, or a depth buffer of floats.
+struct float_target {
+    using texel = float;
+    static constexpr int channels = 1;
+    static constexpr std::string_view format = "R32F";
+    static constexpr const glsl::snippet* to_unorm = nullptr;
+
+    [[nodiscard]] static constexpr glm::vec4 load(texel t) { return {t, 0, 0, 0}; }
+};
+
+namespace detail {
+
+/// Channels side by side. One is a number, not a vector.
+template <int Bits, int Channels>
+using unorm_texel = std::conditional_t<Channels == 1, unorm_channel<Bits>,
+                                       glm::vec<(Channels > 1 ? Channels : 2), unorm_channel<Bits>>>;
+
+}  // namespace detail
+
+/// UNORM channels of 8 or 16 bits.
+template <int Bits, int Channels>
+struct unorm_target {
+    using texel = detail::unorm_texel<Bits, Channels>;
+    static constexpr int bits = Bits, channels = Channels;
+    static constexpr std::string_view formats[2][4]{{"R8", "RG8", "RGB8", "RGBA8"}, {"R16", "RG16", "RGB16", "RGBA16"}};
+    static constexpr std::string_view format = formats[Bits == 16][Channels - 1];
+    static constexpr const glsl::snippet* to_unorm = Bits == 16 ? &glsl::to_unorm16 : &glsl::to_unorm;
+
+    /// @param values   as a shader writes them
+    template <class Values>
+    [[nodiscard]] static constexpr texel store(Values values, unorm_store mode = {}) {
+        return store_unorm<Bits>(values, mode);
+    }
+    [[nodiscard]] static constexpr glm::vec4 load(texel t) {
+        glm::vec4 c(0);
+        if constexpr (Channels == 1) c.x = float(t) / float((1 << Bits) - 1);
+        else
+            for (int i = 0; i < Channels; ++i) c[i] = float(t[i]) / float((1 << Bits) - 1);
+        return c;
+    }
+};
+
+/// R10G10B10A2: three channels of ten bits in a word, R in the lowest. Alpha is 1.
+template <>
+struct unorm_target<10, 3> {
+    using texel = std::uint32_t;
+    static constexpr int bits = 10, channels = 3;
+    static constexpr std::string_view format = "RGB10_A2";
+    static constexpr const glsl::snippet* to_unorm = &glsl::to_unorm10;
+
+    [[nodiscard]] static constexpr texel packed(glm::u16vec3 k) {
+        return std::uint32_t(k.x) | std::uint32_t(k.y) << 10 | std::uint32_t(k.z) << 20 | 3u << 30;
+    }
+    [[nodiscard]] static constexpr glm::u16vec3 unpacked(texel t) { return {t & 1023, t >> 10 & 1023, t >> 20 & 1023}; }
+    [[nodiscard]] static constexpr texel store(glm::vec3 values, unorm_store mode = {}) {
+        return packed(store_unorm<10>(values, mode));
+    }
+    [[nodiscard]] static constexpr glm::vec4 load(texel t) { return {load_unorm<10>(unpacked(t)), 0}; }
+};
+
 }  // namespace umbrage
 
 // ---- umbrage/depth/encoding.hpp
@@ -961,10 +1156,10 @@ inline constexpr const snippet* unorm_snippets[]{&to_unorm, &from_unorm};
 namespace umbrage {
 
 /// What the writer's snippet returns.
-enum class written {
-    depth,   ///< a float to write into a float target
-    bytes,   ///< whole channels 0..255: umbrage_to_unorm makes them the values to write
-    values,  ///< values to write into a UNORM target as they are; what the store makes of them is part of the format
+enum class store_format {
+    depth,     ///< a float to write into a float target
+    integers,  ///< integer channels: the target's to_unorm makes them the values to write
+    values,    ///< values to write into a UNORM target as they are; what it makes of them is part of the format
 };
 
 /// How far a decoded depth may lie from the encoded one, for every depth in [0, 1).
@@ -987,8 +1182,9 @@ concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
     { Encoding::name } -> std::convertible_to<std::string_view>;     // a C++ identifier, without the template
     { Encoding::summary } -> std::convertible_to<std::string_view>;  // one sentence
     { Encoding::writer } -> std::convertible_to<const glsl::snippet*>;
-    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth (written::depth)
-    { Encoding::writes } -> std::convertible_to<written>;
+    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth
+    { Encoding::writes } -> std::convertible_to<store_format>;
+    requires render_target<typename Encoding::target>;                    // what its texels lie in
     { Encoding::codes } -> std::convertible_to<std::uint64_t>;            // texels that the writer can give
     { e.direction } -> std::convertible_to<depth_direction>;              // far is 1 forward, 0 reversed
     { e.error(unorm_store::truncates) } -> std::same_as<decoding_error>;  // by default the store rounds
@@ -3210,12 +3406,13 @@ namespace umbrage {
 
 /// Clamped to [0, 1] on the way in; on the way out the texel is the depth.
 struct depth32f {
-    using texel = float;
+    using target = float_target;
+    using texel = target::texel;
     static constexpr literal name = "depth32f";
     static constexpr literal summary = "A float texture: nothing to encode.";
     static constexpr const glsl::snippet* writer = &glsl::saturate;
     static constexpr const glsl::snippet* reader = nullptr;
-    static constexpr written writes = written::depth;
+    static constexpr store_format writes = store_format::depth;
     static constexpr std::uint64_t codes = 0x3F800001;  ///< floats from 0 to 1
 
     depth_direction direction = depth_direction::forward;
@@ -3302,12 +3499,13 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 
 /// The encoding as a value.
 struct float_bits {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "float_bits";
     static constexpr literal summary = "The bit pattern of the float itself, R least significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
     static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
 
     depth_direction direction = depth_direction::forward;
@@ -3316,6 +3514,98 @@ struct float_bits {
     [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {}; }
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/depth/r16.hpp
+// Depth in one UNORM channel of 16 bits: half the memory of a float map, without packing.
+//
+//     std::uint16_t texel = umbrage::encode_r16(depth);
+//     float stored = umbrage::decode_r16(texel, umbrage::upper_edge<float>);
+//
+
+namespace umbrage {
+
+/// Depth to a channel.
+///
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
+/// @return        integer 0..65535
+/// @formula       min(floor(65536 depth), 65535)
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr std::uint16_t encode_r16(T depth, T cleared = T(1)) {
+    return static_cast<std::uint16_t>(to_code<16>(depth, cleared));
+}
+
+/// Value read from a 16-bit texture to depth.
+///
+/// @param c       as sampled, k / 65535; any rounding of that quotient gives the same depth
+/// @param edge    lower_edge, center or upper_edge of the code's interval
+/// @formula       (k + edge) 2^-16, k = floor(65535 c + 1/2)
+/// @exactness     A;  |depth - decoded| <= 2^-16, at the center 2^-17
+template <real T>
+[[nodiscard]] T decode_r16(T c, T edge) {
+    return from_code<16>(from_unorm<16>(c), edge);
+}
+
+/// Channel to depth.
+template <real T>
+[[nodiscard]] constexpr T decode_r16(std::uint16_t texel, T edge) {
+    return from_code<16>(T(texel), edge);
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_r16{
+    .name = "encode_r16",
+    .summary = "depth to one channel of 16 bits",
+    .exactness = tier::a,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP float umbrage_encode_r16(UMBRAGE_HIGHP float depth) {
+    return min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_r16{
+    .name = "decode_r16",
+    .summary = "one channel of 16 bits to depth",
+    .exactness = tier::a,
+    .needs = list<&from_unorm16>,
+    .source = R"GLSL(
+// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_r16(UMBRAGE_HIGHP float c, UMBRAGE_HIGHP float edge) {
+    return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
+}
+)GLSL",
+};
+
+}  // namespace glsl
+
+/// The encoding as a value.
+struct r16 {
+    using target = unorm_target<16, 1>;
+    using texel = target::texel;
+    static constexpr literal name = "r16";
+    static constexpr literal summary = "One channel of 16 bits.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_r16;
+    static constexpr const glsl::snippet* reader = &glsl::decode_r16;
+    static constexpr store_format writes = store_format::integers;
+    static constexpr int bits = 16;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << 16;
+
+    depth_direction direction = depth_direction::forward;
+    float edge = detail::safe_edge(direction);  ///< that decoding answers
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_r16(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_r16(t, edge); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };
 
 }  // namespace umbrage
@@ -3416,13 +3706,14 @@ inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
 /// The encoding as a value.
 template <int Bits>
 struct rg {
-    using texel = glm::u8vec2;
+    using target = unorm_target<8, 2>;
+    using texel = target::texel;
     static constexpr glsl::detail::short_name name_text{"rg$b", {{'b', Bits}}};
     static constexpr literal name = name_text.view();
     static constexpr literal summary = "Two channels: R the low byte, G the rest in its high bits.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
     static constexpr const glsl::snippet* reader = &glsl::decode_rg<Bits>;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr int bits = Bits;
     static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
 
@@ -3603,6 +3894,110 @@ inline constexpr const snippet* rg_table_snippets[]{&encode_rg_table<Bits>...};
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/depth/rgb10.hpp
+// Depth in the three 10-bit channels of an R10G10B10A2 target, 24 bits, R most significant.
+//
+//     glm::u16vec3 channels = umbrage::encode_rgb10(depth);
+//     float stored = umbrage::decode_rgb10(channels, umbrage::upper_edge<float>);
+//
+
+namespace umbrage {
+
+/// Depth to channels.
+///
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
+/// @return        integer channels 0..1023, R most significant; B holds the last four bits in its high bits
+/// @formula       10, 10 and 4 bits of min(floor(depth 2^24), 2^24 - 1), the last times 64
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr glm::u16vec3 encode_rgb10(T depth, T cleared = T(1)) {
+    const std::uint32_t x = to_code<24>(depth, cleared);
+    return {static_cast<std::uint16_t>(x >> 14), static_cast<std::uint16_t>(x >> 4 & 1023),
+            static_cast<std::uint16_t>((x & 15) << 6)};
+}
+
+/// Values read from a 10-bit texture to depth.
+///
+/// @param c       as sampled, k / 1023; any rounding of that quotient gives the same depth
+/// @param edge    lower_edge or upper_edge; the center is exact in double only
+/// @formula       (16384 R + 16 G + floor(B / 64) + edge) 2^-24, with R, G, B = floor(1023 c + 1/2)
+/// @exactness     A;  |depth - decoded| <= 2^-24
+template <real T>
+[[nodiscard]] T decode_rgb10(glm::vec<3, T> c, T edge) {
+    const glm::vec<3, T> k = from_unorm<10>(c);
+    return from_code<24>((k.x * T(1024) + k.y) * T(16) + std::floor(k.z * T(1.0 / 64.0)), edge);
+}
+
+/// Channels to depth.
+template <real T>
+[[nodiscard]] constexpr T decode_rgb10(glm::u16vec3 k, T edge) {
+    return from_code<24>(T((std::uint32_t(k.x) << 14) + (std::uint32_t(k.y) << 4) + (k.z >> 6)), edge);
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_rgb10{
+    .name = "encode_rgb10",
+    .summary = "depth to three 10-bit channels, R most significant",
+    .exactness = tier::a,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
+// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec3 umbrage_encode_rgb10(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float rest = x - high * 16384.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 16.0));
+    UMBRAGE_HIGHP float low = min(rest - middle * 16.0, 15.0);  // below already: no sum is regrouped across the min
+    return vec3(high, middle, low * 64.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_rgb10{
+    .name = "decode_rgb10",
+    .summary = "three 10-bit channels, R most significant, to depth",
+    .exactness = tier::a,
+    .needs = list<&from_unorm10>,
+    .source = R"GLSL(
+// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rgb10(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm10(c);
+    return ((k.x * 1024.0 + k.y) * 16.0 + floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);
+}
+)GLSL",
+};
+
+}  // namespace glsl
+
+/// The encoding as a value.
+struct rgb10 {
+    using target = unorm_target<10, 3>;
+    using texel = target::texel;
+    static constexpr literal name = "rgb10";
+    static constexpr literal summary = "Three 10-bit channels of R10G10B10A2, R most significant.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_rgb10;
+    static constexpr const glsl::snippet* reader = &glsl::decode_rgb10;
+    static constexpr store_format writes = store_format::integers;
+    static constexpr int bits = 24;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+    float edge = detail::safe_edge(direction);  ///< that decoding answers; the center rounds from code 2^23 on
+
+    [[nodiscard]] constexpr texel encode(float depth) const {
+        return target::packed(encode_rgb10(depth, cleared_depth(direction)));
+    }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb10(target::unpacked(t), edge); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+}  // namespace umbrage
+
 // ---- umbrage/depth/rgb24.hpp
 // Depth in three 8-bit channels, 24 bits, R most significant.
 //
@@ -3682,12 +4077,13 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 
 /// The encoding as a value.
 struct rgb24 {
-    using texel = glm::u8vec3;
+    using target = unorm_target<8, 3>;
+    using texel = target::texel;
     static constexpr literal name = "rgb24";
     static constexpr literal summary = "Three channels, R most significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rgb24;
     static constexpr const glsl::snippet* reader = &glsl::decode_rgb24;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr int bits = 24;
     static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
 
@@ -14190,7 +14586,7 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
         const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
         glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
         for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
-            out[x] = store_unorm8(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
+            out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
     }
 }
 
@@ -18695,8 +19091,8 @@ struct binding {
 template <known_encoding Encoding>
 [[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
     map.direction = encoding.direction;
-    if constexpr (Encoding::writes != written::depth) {
-        map.channels = static_cast<int>(Encoding::texel::length());
+    if constexpr (Encoding::writes != store_format::depth) {
+        map.channels = Encoding::target::channels;
         map.depth = "umbrage_" + std::string(Encoding::reader->name) + "(value." +
                     std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
         if constexpr (has_edge<Encoding>) {
@@ -20557,7 +20953,7 @@ template <class Use = umbrage::detail::on_use>
 // ---- umbrage/depth/foreign/base255.hpp
 // The RGBA format of Aras Pranckevicius, base 255, as Cesium, Babylon.js and bgfx use it, to read and write such maps.
 //
-//     float stored = umbrage::decode_base255(umbrage::load_unorm8(texel));
+//     float stored = umbrage::decode_base255(umbrage::load_unorm(texel));
 //
 // Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error
 // is up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left
@@ -20666,21 +21062,22 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 
 /// The format as a value, faults and all; the store rounds. An empty map is cleared to what decodes to 1.
 struct base255 {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "base255";
     static constexpr literal summary =
         "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
     static constexpr const glsl::snippet* writer = &glsl::write_base255;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_base255(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
         const double either = store == unorm_store::rounds ? 0x1p-23 : 0x1.021p-8;
         return {.below = either, .above = either};
@@ -20692,18 +21089,19 @@ struct base255 {
 
 /// The same, written without the faults.
 struct base255_repaired {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "base255_repaired";
     static constexpr literal summary = "For readers of base 255, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_base255_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
 
     depth_direction direction = depth_direction::forward;
 
     [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth, cleared_depth(direction)); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
         return {.below = 0x1p-23, .above = 0x1p-23};
     }
@@ -20716,8 +21114,8 @@ struct base255_repaired {
 // The depth formats of three.js, r167 and later, to read and write its maps: RGBA, RGB and RG. Writers give UNORM
 // values as three.js does; what the 8-bit store makes of the channel that holds a fraction is part of the format.
 //
-//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_rgba(depth));
-//     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm8(texel));
+//     glm::u8vec4 texel = umbrage::store_unorm(umbrage::write_threejs_rgba(depth));
+//     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm(texel));
 //
 // Worst error of any binary32 depth, as measured by the tests:
 //
@@ -20903,20 +21301,21 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
 
 /// RGBA, r167 and later.
 struct threejs_rgba {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_rgba";
     static constexpr literal summary = "RGBA of three.js since r167: three whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_threejs_rgba(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
         const double either = store == unorm_store::rounds ? 0x1p-32 : 0x1p-32 * 256 / 255;
         return {.below = either, .above = either};
@@ -20926,20 +21325,21 @@ struct threejs_rgba {
 
 /// RGB, r167 and later.
 struct threejs_rgb {
-    using texel = glm::u8vec3;
+    using target = unorm_target<8, 3>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_rgb";
     static constexpr literal summary = "RGB of three.js since r167: two whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_threejs_rgb(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
         const double either = store == unorm_store::rounds ? 0x1p-24 : 0x1p-24 * 256 / 255;
         return {.below = either, .above = either};
@@ -20949,20 +21349,21 @@ struct threejs_rgb {
 
 /// RG, r167 and later.
 struct threejs_rg {
-    using texel = glm::u8vec2;
+    using target = unorm_target<8, 2>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_rg";
     static constexpr literal summary = "RG of three.js since r167: one whole byte and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_threejs_rg(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
         const double either = store == unorm_store::rounds ? 0x1.02p-17 : 0x1p-16 * 256 / 255;
         return {.below = either, .above = either};
@@ -20976,8 +21377,8 @@ struct threejs_rg {
 // The RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. What the
 // 8-bit store makes of the channel that holds a fraction is part of the format.
 //
-//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_legacy(depth));
-//     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm8(texel));
+//     glm::u8vec4 texel = umbrage::store_unorm(umbrage::write_threejs_legacy(depth));
+//     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm(texel));
 //
 // Worst error of any binary32 depth, and the faults, as measured by the tests:
 //
@@ -21085,20 +21486,21 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
 
 /// RGBA, r73 to r166, fault and all: 1 decodes to 255/256. An empty map is cleared to what decodes to 1.
 struct threejs_legacy {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_legacy";
     static constexpr literal summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_threejs_legacy(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
         return {.below = 0x1p-32, .above = 0x1p-32};
     }
@@ -21107,12 +21509,13 @@ struct threejs_legacy {
 
 /// RGBA for readers of r73 to r166, written without the fault.
 struct threejs_legacy_repaired {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_legacy_repaired";
     static constexpr literal summary = "For readers of three.js r73 to r166, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_threejs_legacy_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
 
     depth_direction direction = depth_direction::forward;
@@ -21120,7 +21523,7 @@ struct threejs_legacy_repaired {
     [[nodiscard]] texel encode(float depth) const {
         return encode_threejs_legacy_repaired(depth, cleared_depth(direction));
     }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
         return {.below = 0x1p-24, .above = 0x1p-24};
     }
@@ -21139,8 +21542,8 @@ struct threejs_legacy_repaired {
 namespace umbrage {
 
 using encodings =
-    list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits, threejs_rgba,
-            threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
+    list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, rgb10, r16, float_bits,
+            threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
 
 /// Calls use(encoding) for one after the other.
 template <class Use>
@@ -21254,7 +21657,7 @@ public:
     }
     template <class... Encodings>
     collection& add_readers(const list_of<Encodings...>*) {
-        return (add(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader), ..., *this);
+        return (add(Encodings::writes == store_format::depth ? Encodings::writer : Encodings::reader), ..., *this);
     }
     template <class... Filters>
     collection& add_filters(const list_of<Filters...>*) {

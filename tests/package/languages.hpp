@@ -47,14 +47,18 @@ inline constexpr std::array textures{
     named_texture{"depth", glsl::texture::depth},           named_texture{"depth_array", glsl::texture::depth_array},
     named_texture{"shadow", glsl::texture::shadow},         named_texture{"shadow_array", glsl::texture::shadow_array}};
 
-/// What a cleared map's channels are to a color attachment, four of them; of bytes as "k / 255".
+/// What a cleared map's channels are to a color attachment, four of them; of UNORM as "k / 255".
 template <umbrage::known_encoding Encoding>
 [[nodiscard]] std::array<std::string, 4> cleared_channels(const Encoding& encoding) {
     std::array<std::string, 4> channels{"0", "0", "0", "0"};
-    if constexpr (Encoding::writes == umbrage::written::depth) channels[0] = encoding.cleared() > 0.5f ? "1" : "0";
+    using target = typename Encoding::target;
+    const glm::vec4 values = target::load(encoding.cleared());
+    if constexpr (Encoding::writes == umbrage::store_format::depth) channels[0] = values.x > 0.5f ? "1" : "0";
     else
-        for (int c = 0; c < Encoding::texel::length(); ++c)
-            channels[c] = std::to_string(encoding.cleared()[c]) + " / 255";
+        for (int c = 0; c < target::channels; ++c) {
+            constexpr int most = (1 << target::bits) - 1;
+            channels[c] = std::to_string(std::lround(values[c] * most)) + " / " + std::to_string(most);
+        }
     return channels;
 }
 
@@ -62,9 +66,9 @@ template <umbrage::known_encoding Encoding>
 template <umbrage::known_encoding Encoding>
 [[nodiscard]] constexpr std::string_view writes(const Encoding&) {
     switch (Encoding::writes) {
-        case umbrage::written::depth: return "depth";
-        case umbrage::written::bytes: return "bytes";
-        case umbrage::written::values: return "values";
+        case umbrage::store_format::depth: return "depth";
+        case umbrage::store_format::integers: return "integers";
+        case umbrage::store_format::values: return "values";
     }
     return "";
 }

@@ -78,29 +78,33 @@ inline const std::string target = " not sRGB, no blending, one sample. Clear to 
 
 /// The render targets of the encodings and prefiltered maps that a snippet writes or reads.
 inline std::string targets_of(const snippet& s) {
-    constexpr std::string_view channels[]{"R", "RG", "RGB", "RGBA"};
     std::string out;
     umbrage::for_each_encoding([&](auto e) {
         using type = decltype(e);
-        if constexpr (type::writes != umbrage::written::depth) {
+        if constexpr (type::writes != umbrage::store_format::depth) {
             if (s != *type::writer && s != *type::reader) return;
+            using kept = typename type::target;
+            constexpr int most = (1 << kept::bits) - 1;
             const auto cleared = [&] {
                 std::string all;
-                for (int c = 0; c < type::texel::length(); ++c)
-                    all += (c > 0 ? ", " : "(") + std::to_string(int(e.cleared()[c]));
-                return all + ") / 255";
+                const glm::vec4 values = kept::load(e.cleared());
+                for (int c = 0; c < kept::channels; ++c)
+                    all += (c > 0 ? ", " : "(") + std::to_string(std::lround(values[c] * most));
+                return all + ") / " + std::to_string(most);
             };
-            std::string line = "Render target of " + std::string(type::name) + ": " +
-                               std::string(channels[type::texel::length() - 1]) + "8 UNORM," + target + cleared();
+            std::string line = "Render target of " + std::string(type::name) + ": " + std::string(kept::format) +
+                               " UNORM," + target + cleared();
             e = {.direction = umbrage::depth_direction::reversed};
             line += ", with reversed depth to " + cleared() + ". Write ";
-            out += comment(line + (type::writes == umbrage::written::bytes ? "umbrage_to_unorm of " : "") + "umbrage_" +
-                           std::string(type::writer->name) + ".");
+            const bool integers = type::writes == umbrage::store_format::integers;
+            out += comment(line + (integers ? "umbrage_" + std::string(kept::to_unorm->name) + " of " : "") +
+                           "umbrage_" + std::string(type::writer->name) + ".");
         }
     });
     umbrage::prefilters::all::for_each([&](const auto& p) {
         using type = std::decay_t<decltype(p)>;
         if (s != *type::writer && s != *type::snippet) return;
+        constexpr std::string_view channels[]{"R", "RG", "RGB", "RGBA"};
         int count = 1;
         if constexpr (!std::is_same_v<typename type::texel, float>) count = type::texel::length();
         const bool unorm = type::name == std::string_view("msm_unorm16");

@@ -42,12 +42,12 @@ for (const { language, file, name, text, lines, head } of files) {
     if (reads && snippets[name]?.role === 'none') check(/^\/\/ Map: `.*map/m.test(head) && head.includes('one sample. Clear to'), file, 'its map');
     check(!file.includes('_shadow') || head.includes('receiver <= '), file, 'its comparison');
 }
-for (const [name, { write, writes, cleared }] of Object.entries(encodings)) {
+for (const [name, { write, writes, format, channels, cleared }] of Object.entries(encodings)) {
     if (writes === 'depth') continue;
-    const head = of('glsl', write.name).head, bytes = cleared.map(channel => channel * 255);
-    check(['R8', 'RG8', 'RGB8', 'RGBA8'].some((format, last) =>
-        head.includes(`Render target of ${name}: ${format} UNORM, not sRGB, no blending, one sample. Clear to `
-            + `(${bytes.slice(0, last + 1).join(', ')}) / 255,`)), write.name, `target of ${name}`);
+    const most = { R16: 65535, RGB10_A2: 1023 }[format] ?? 255, integers = cleared.map(channel => Math.round(channel * most));
+    check(of('glsl', write.name).head.includes(
+        `Render target of ${name}: ${format} UNORM, not sRGB, no blending, one sample. Clear to `
+        + `(${integers.slice(0, channels).join(', ')}) / ${most},`), write.name, `target of ${name}`);
 }
 
 function compile(file, text, ...options) {

@@ -78,8 +78,9 @@ struct enumeration {
     std::uint64_t count = 0;
 };
 
-/// Where GLSL writes: floats, or a real 8-bit render target whose bytes come back as 0..255.
-enum class target { rgba32f, rgba8 };
+/// Where GLSL writes: floats, or a real UNORM render target whose integer channels come back. Desktop OpenGL alone has
+/// the last two.
+enum class target { rgba32f, rgba8, rgb10_a2, rgba16 };
 
 /// A map as bind() has it under a name: functions umbrage_..._<name>, a texture <name>, a sampler <name>_sampler.
 struct bound_map {

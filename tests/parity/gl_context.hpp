@@ -4,8 +4,6 @@
 #pragma once
 
 #include <EGL/egl.h>
-#define GL_GLES_PROTOTYPES 0
-#include <GLES3/gl3.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "backend.hpp"
+#include "gl_names.hpp"
 #include "shader.hpp"
 #include "texture.hpp"
 
@@ -97,9 +96,9 @@ public:
         gl_.BufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
         gl_.EnableVertexAttribArray(0);
         gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-        gl_.GenTextures(2, target_textures_.data());
-        gl_.GenTextures(2, target_depths_.data());
-        gl_.GenFramebuffers(2, targets_.data());
+        gl_.GenTextures(4, target_textures_.data());
+        gl_.GenTextures(4, target_depths_.data());
+        gl_.GenFramebuffers(4, targets_.data());
         gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_size_);
     }
 
@@ -130,18 +129,24 @@ public:
         const int height = rows(j.count), read_rows = rows(count);
         if (serial_ != j.serial) send(j);
         use(v, j);
-        const bool bytes = j.what->output == target::rgba8;
-        bind_target(bytes, height);
+        const target to = j.what->output;
+        bind_target(to, height);
         gl_.Viewport(0, 0, width, height);  // the whole height, so that positions stay what they are
         gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 
         std::vector<vec4> result(static_cast<std::size_t>(width * read_rows));
-        if (bytes) {
-            std::vector<glm::vec<4, std::uint8_t>> read(result.size());
-            gl_.ReadPixels(0, 0, width, read_rows, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
-            std::copy(read.begin(), read.end(), result.begin());
-        } else {
-            gl_.ReadPixels(0, 0, width, read_rows, GL_RGBA, GL_FLOAT, result.data());
+        const auto read = [&]<class Pixel>(std::vector<Pixel> pixels, auto values) {
+            gl_.ReadPixels(0, 0, width, read_rows, GL_RGBA, names_of(to).type, pixels.data());
+            std::ranges::transform(pixels, result.begin(), values);
+        };
+        const std::size_t n = result.size();
+        switch (to) {
+            case target::rgba32f: read(std::vector<vec4>(n), std::identity{}); break;
+            case target::rgba8: read(std::vector<glm::u8vec4>(n), [](auto k) { return vec4(k); }); break;
+            case target::rgba16: read(std::vector<glm::u16vec4>(n), [](auto k) { return vec4(k); }); break;
+            case target::rgb10_a2:
+                read(std::vector<std::uint32_t>(n),
+                     [](std::uint32_t k) { return vec4(k & 1023, k >> 10 & 1023, k >> 20 & 1023, k >> 30); });
         }
         if (const GLenum error = gl_.GetError()) throw std::runtime_error("GL error " + std::to_string(error));
         result.resize(count);
@@ -154,28 +159,12 @@ private:
         GLuint id;
     };
 
-    /// What GL calls a texture's shape and format.
-    struct names {
-        GLenum target, internal, format, type;
-    };
-    static names names_of(const texture_image& t) {
-        const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP};
-        const names formats[] = {{0, GL_RGBA32F, GL_RGBA, GL_FLOAT},
-                                 {0, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
-                                 {0, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
-                                 {0, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT},
-                                 {0, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}};
-        names n = formats[t.format];
-        n.target = targets[t.shape];
-        return n;
-    }
-
     void upload(const filled_texture& t) {
         const texture_image& image = t.image;
         GLuint& id = textures_[t.unit];
         gl_.DeleteTextures(1, &id);  // its shape may be another
         gl_.GenTextures(1, &id);
-        const names n = names_of(image);
+        const gl_names n = names_of(image);
         gl_.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + t.unit));
         gl_.BindTexture(n.target, id);
         const auto set = [&](GLenum what, GLenum value) {
@@ -230,20 +219,18 @@ private:
         }
     }
 
-    void bind_target(bool bytes, int height) {
-        const std::size_t kind = bytes ? 1 : 0;
+    void bind_target(target to, int height) {
+        const auto kind = static_cast<std::size_t>(to);
         gl_.BindFramebuffer(GL_FRAMEBUFFER, targets_[kind]);
         if (heights_[kind] == height) return;
         gl_.ActiveTexture(GL_TEXTURE0 + max_textures);
-        const auto attach = [&](GLenum where, GLuint texture, const names& n) {
+        const auto attach = [&](GLenum where, GLuint texture, const gl_names& n) {
             gl_.BindTexture(GL_TEXTURE_2D, texture);
             gl_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(n.internal), width, height, 0, n.format, n.type,
                            nullptr);
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, where, GL_TEXTURE_2D, texture, 0);
         };
-        const names floats{GL_TEXTURE_2D, GL_RGBA32F, GL_RGBA, GL_FLOAT};
-        attach(GL_COLOR_ATTACHMENT0, target_textures_[kind],
-               bytes ? names{GL_TEXTURE_2D, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE} : floats);
+        attach(GL_COLOR_ATTACHMENT0, target_textures_[kind], names_of(to));
         attach(GL_DEPTH_ATTACHMENT, target_depths_[kind],
                {GL_TEXTURE_2D, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT});
         if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
@@ -285,8 +272,8 @@ private:
     EGLContext handle_;
     functions gl_;
     std::array<GLuint, max_textures> textures_{};
-    std::array<GLuint, 2> target_textures_{}, target_depths_{}, targets_{};
-    std::array<int, 2> heights_{};
+    std::array<GLuint, 4> target_textures_{}, target_depths_{}, targets_{};
+    std::array<int, 4> heights_{};
     GLint max_size_ = 0;
     std::vector<program> programs_;
     const entry* entry_ = nullptr;

@@ -40,7 +40,7 @@ public:
         results.reserve(count);
         for (std::size_t i = 0; i < count; ++i) {
             const vec4 c = call(j.at(i).x.data(), units.data());
-            results.push_back(bytes ? vec4(store_unorm8(c, i % 2 ? unorm_store::truncates : unorm_store::rounds)) : c);
+            results.push_back(bytes ? vec4(store_unorm(c, i % 2 ? unorm_store::truncates : unorm_store::rounds)) : c);
         }
         return results;
     }

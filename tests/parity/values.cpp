@@ -62,27 +62,31 @@ std::vector<input_class> spread(std::vector<range> arguments, const std::vector<
     return classes;
 }
 
-std::vector<input_class> channels(bool edges) {
+std::vector<input_class> channels(bool edges, int bits) {
+    const int most = (1 << bits) - 1;
+    const auto scale = static_cast<float>(most);
     const auto each = [edges](auto value) {
         return [edges, value](std::uint64_t i, random& r, sample& s) {
             for (int c = 0; c < 4; ++c) s.x[0][c] = value(i, c, r);
             if (edges) s.x[1].x = static_cast<float>(r.below(3)) * 0.5f;
         };
     };
-    const auto byte = [](std::uint64_t i, int c) { return static_cast<float>((i * 0x9E3779B1u >> (8 * c)) & 0xFF); };
+    const auto code = [most](std::uint64_t i, int c) {
+        return static_cast<float>(i * 0x9E3779B1u >> (8 * c) & static_cast<std::uint64_t>(most));
+    };
     std::vector<input_class> classes{
-        {"codes", each([byte](auto i, int c, random&) { return byte(i, c) / 255.0f; })},
-        {"codes off by an ulp",
-         each([byte](auto i, int c, random& r) { return beside(r.bits(), byte(i, c) / 255.0f); })},
+        {"codes", each([=](auto i, int c, random&) { return code(i, c) / scale; })},
+        {"codes off by an ulp", each([=](auto i, int c, random& r) { return beside(r.bits(), code(i, c) / scale); })},
         {"codes off by 0.4",
-         each([byte](auto i, int c, random& r) { return (byte(i, c) + r.between(-0.4f, 0.4f)) / 255.0f; })},
-        {"out of range", each([](auto, int, random& r) { return static_cast<float>(r.below(1024) - 512) / 255.0f; })}};
+         each([=](auto i, int c, random& r) { return (code(i, c) + r.between(-0.4f, 0.4f)) / scale; })},
+        {"out of range",
+         each([=](auto, int, random& r) { return static_cast<float>(r.below(4 * most + 4) - 2 * most - 2) / scale; })}};
     for (const value_class& kind : special_values()) {
         if (kind.name == "out of range" || kind.name == "smallest normal") continue;  // own; sums of it with denormals
-        classes.push_back({kind.name, each([byte, kind](std::uint64_t i, int c, random& r) {
+        classes.push_back({kind.name, each([=](std::uint64_t i, int c, random& r) {
                                const auto lane = i % 5;
                                return lane == 4 || lane == static_cast<std::uint64_t>(c) ? kind.make(i / 5, r)
-                                                                                         : byte(i, c) / 255.0f;
+                                                                                         : code(i, c) / scale;
                            })});
     }
     return classes;

@@ -30,9 +30,9 @@ struct range {
 /// takes turns at the arguments and now and then has them all.
 [[nodiscard]] std::vector<input_class> spread(std::vector<range> arguments, const std::vector<value_class>& kinds);
 
-/// Four channels as an 8-bit texture gives them in x0: all codes, off by an ulp, off by a part of a step, beyond the
-/// ends, and the special values. `edges`: x1.x is 0, 1/2 or 1.
-[[nodiscard]] std::vector<input_class> channels(bool edges = false);
+/// Four channels as a texture of so many bits gives them in x0: all codes, off by an ulp, off by a part of a step,
+/// beyond the ends, and the special values. `edges`: x1.x is 0, 1/2 or 1.
+[[nodiscard]] std::vector<input_class> channels(bool edges = false, int bits = 8);
 
 /// Every depth k / 2^24 below 1 in x0.x.
 [[nodiscard]] enumeration all_depths();

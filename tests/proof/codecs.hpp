@@ -48,7 +48,7 @@ inline constexpr std::array stores{unorm_store::rounds, unorm_store::truncates};
 /// What a texture gives back of what a shader wrote.
 template <int L>
 [[nodiscard]] glm::vec<L, float> stored(glm::vec<L, float> written, unorm_store store) {
-    return umbrage::load_unorm8(umbrage::store_unorm8(written, store));
+    return umbrage::load_unorm(umbrage::store_unorm(written, store));
 }
 template <int L>
 [[nodiscard]] glm::vec<L, float> stored(glm::vec<L, std::uint8_t> channels, unorm_store store) {
@@ -76,8 +76,28 @@ glm::u8vec2 of_code(const umbrage::rg<Bits>&, std::uint32_t x) {
 inline glm::u8vec3 of_code(const umbrage::rgb24&, std::uint32_t x) {
     return glm::u8vec3(x / 65536, x / 256 % 256, x % 256);
 }
+inline std::uint32_t of_code(const umbrage::rgb10&, std::uint32_t x) {
+    return x / 16384 + x / 16 % 1024 * 1024 + x % 16 * 64 * 1048576 + 3221225472u;
+}
+inline std::uint16_t of_code(const umbrage::r16&, std::uint32_t x) { return static_cast<std::uint16_t>(x); }
 
-/// Of bytes, or as sampled.
+/// The integers that a shader makes values of.
+template <class Encoding>
+auto channels_of(const Encoding&, typename Encoding::texel t) {
+    return glm::vec<Encoding::target::channels, float>(t);
+}
+inline float channels_of(const umbrage::r16&, std::uint16_t t) { return t; }
+inline glm::vec3 channels_of(const umbrage::rgb10&, std::uint32_t t) { return umbrage::rgb10::target::unpacked(t); }
+
+/// What a texture gives of a texel, as its encoding's reader takes it.
+template <class Encoding>
+auto sampled(const Encoding&, typename Encoding::texel t) {
+    using target = typename Encoding::target;
+    if constexpr (target::channels == 1) return target::load(t).x;
+    else return glm::vec<target::channels, float>(target::load(t));
+}
+
+/// Of a texel, or as sampled.
 template <int Bits, class From, class T>
 T decode(const umbrage::rg<Bits>&, From from, T edge) {
     return umbrage::decode_rg<Bits>(from, edge);
@@ -87,12 +107,28 @@ T decode(const umbrage::rgb24&, From from, T edge) {
     return umbrage::decode_rgb24(from, edge);
 }
 
+template <class T>
+T decode(const umbrage::rgb10&, std::uint32_t texel, T edge) {
+    return umbrage::decode_rgb10(umbrage::rgb10::target::unpacked(texel), edge);
+}
+template <class T>
+T decode(const umbrage::rgb10&, glm::vec3 c, T edge) {
+    return umbrage::decode_rgb10(c, edge);
+}
+template <class From, class T>
+T decode(const umbrage::r16&, From from, T edge) {
+    return umbrage::decode_r16(from, edge);
+}
+
 template <int Bits>
 bool table_agrees(const umbrage::rg<Bits>& encoding, float depth) {
     static const auto table = umbrage::make_rg_table<Bits>();
     return umbrage::encode_rg_table<Bits>([](int x) { return table[std::size_t(x)]; }, depth) == encoding.encode(depth);
 }
-inline bool table_agrees(const umbrage::rgb24&, float) { return true; }
+template <class Encoding>
+bool table_agrees(const Encoding&, float) {
+    return true;
+}
 
 /// How many of the inputs n = first .. last - 1 break a promise: the code; the same texel through the table; each edge
 /// on its side and within the stated error; 1 decodes to 1; order, also against the input before the first.
@@ -121,7 +157,7 @@ template <class Encoding>
 }
 
 /// How many of the codes first .. last - 1 break a promise: every place in the code's interval but its end encodes as
-/// the code again; what an 8-bit target keeps, rounding or truncating, and reads off by ulp decode as the bytes do.
+/// the code again; what its target keeps, rounding or truncating, and reads off by ulp decode as the texel does.
 template <class Encoding>
 [[nodiscard]] std::uint64_t code_failures(std::uint64_t first, std::uint64_t last) {
     const Encoding encoding;
@@ -133,17 +169,23 @@ template <class Encoding>
         bool good = lower == float(x) / float(Encoding::codes) && upper == float(x + 1) / float(Encoding::codes) &&
                     encoding.encode(lower) == texel &&
                     encoding.encode(std::bit_cast<float>(std::bit_cast<std::uint32_t>(upper) - 1)) == texel;
+        using target = typename Encoding::target;
         for (auto store : stores) {
-            const auto sampled = stored(texel, store);
-            good = good && decode(encoding, sampled, 0.0f) == lower && decode(encoding, sampled, 1.0f) == upper;
+            const auto values = umbrage::to_unorm<target::bits>(channels_of(encoding, texel));
+            const auto read = sampled(encoding, target::store(values, store));
+            good = good && decode(encoding, read, 0.0f) == lower && decode(encoding, read, 1.0f) == upper;
         }
-        for (int ulp : {-4096, -1, 1, 4096}) {
-            auto sampled = umbrage::load_unorm8(texel);
-            for (int i = 0; i < sampled.length(); ++i)
-                if (sampled[i] > 0.0f || ulp > 0)
-                    sampled[i] =
-                        std::bit_cast<float>(static_cast<std::uint32_t>(std::bit_cast<std::int32_t>(sampled[i]) + ulp));
-            good = good && decode(encoding, sampled, 1.0f) == upper;
+        constexpr int far = 1 << (20 - target::bits);
+        for (int ulp : {-far, -1, 1, far}) {
+            auto read = sampled(encoding, texel);
+            const auto move = [ulp](float& c) {
+                if (c > 0.0f || ulp > 0)
+                    c = std::bit_cast<float>(static_cast<std::uint32_t>(std::bit_cast<std::int32_t>(c) + ulp));
+            };
+            if constexpr (target::channels == 1) move(read);
+            else
+                for (int i = 0; i < target::channels; ++i) move(read[i]);
+            good = good && decode(encoding, read, 1.0f) == upper;
         }
         failures += !good;
     }
@@ -174,11 +216,11 @@ inline constexpr faults faults_of<umbrage::base255_repaired>{{2, 2}, {0, 0}, 1.0
 /// What the writer's snippet returns, in a texture.
 template <class Format>
 [[nodiscard]] auto texel_written(const Format& format, float depth, unorm_store store) {
-    if constexpr (Format::writes == umbrage::written::values) {
-        return umbrage::store_unorm8(format.write(depth), store);
+    if constexpr (Format::writes == umbrage::store_format::values) {
+        return Format::target::store(format.write(depth), store);
     } else {
         const auto bytes = format.encode(depth);
-        return umbrage::store_unorm8(umbrage::to_unorm(glm::vec<bytes.length(), float>(bytes)), store);
+        return umbrage::store_unorm(umbrage::to_unorm(glm::vec<bytes.length(), float>(bytes)), store);
     }
 }
 

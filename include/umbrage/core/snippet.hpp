@@ -110,8 +110,8 @@ struct snippet {
     literal name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
     literal summary{};  ///< one line
     tier exactness = tier::a;
-    int operations = 0;   ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
-    float within = 0.0f;  ///< tier c without n: greatest difference from C++; above 1 a share of it
+    int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
+    float within = 0.0f;      ///< tier c without n: greatest difference from C++; above 1 a share of it
     bool as_written = false;  ///< `within` holds where + - * round to nearest in written order, no bound elsewhere
     version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     snippet_span needs{};            ///< a list<>

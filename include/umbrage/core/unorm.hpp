@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Between integer channels 0..255 and what an 8-bit render target takes and gives.
+// Between integer channels and what a UNORM render target of 8, 10 or 16 bits a channel takes and gives.
 //
 //     vec4 color = umbrage_to_unorm(channels);     // writing: the same byte whether the store rounds or truncates
 //     vec4 channels = umbrage_from_unorm(texel);   // reading: whole numbers, however the driver divides by 255
 //
+// umbrage_to_unorm10 and umbrage_to_unorm16, and their inverses, do the same for 10 and 16 bits.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -19,61 +21,87 @@
 
 namespace umbrage {
 
-/// The value to write so that an 8-bit UNORM target stores channel k, rounding or truncating.
+/// Bits of a UNORM channel.
+template <int Bits>
+concept unorm_bits = Bits == 8 || Bits == 10 || Bits == 16;
+
+/// An integer channel in memory.
+template <int Bits>
+requires unorm_bits<Bits>
+using unorm_channel = std::conditional_t<Bits == 8, std::uint8_t, std::uint16_t>;
+
+/// The value to write so that a UNORM target stores channel k, rounding or truncating.
 ///
-/// @param k     whole number 0..255
-/// @return      about (k + 1/4) / 255, at most 1.00098, which the store clamps
-/// @formula     (257 k + 64) / 65536
-/// @exactness   A: 17 significant bits
-template <real T>
+/// @tparam Bits   of a channel: 8, 10 or 16
+/// @param k       whole number, 0 to n = 2^Bits - 1
+/// @return        about (k + 1/4) / n, with 10 bits down to (k + 1/150) / n; above 1 the store clamps
+/// @formula       8 bits: (257 k + 64) / 2^16
+///                10 bits: (4099 k + 1056) / 2^22, for llvmpipe's sake: it stores 16 bits and cuts six of them off
+///                16 bits: min(k + floor(k / 256) / 256 + 1/4, 65536) / 65536
+/// @exactness     A: at most 24 significant bits, or beyond the min
+template <int Bits = 8, real T>
+requires unorm_bits<Bits>
 [[nodiscard]] constexpr T to_unorm(T k) {
-    return k * T(257.0 / 65536.0) + T(64.0 / 65536.0);
+    if constexpr (Bits == 16) {
+        const T above = T(static_cast<int>(k * T(1.0 / 256.0))) * T(1.0 / 256.0) + T(0.25);
+        const T wide = k + above;
+        return (wide < T(65536) ? wide : T(65536)) * T(1.0 / 65536.0);
+    } else if constexpr (Bits == 10) {
+        return k * T(4099.0 / 4194304.0) + T(1056.0 / 4194304.0);
+    } else {
+        return k * T(257.0 / 65536.0) + T(64.0 / 65536.0);
+    }
 }
-template <glm::length_t L, real T>
+template <int Bits = 8, glm::length_t L, real T>
+requires unorm_bits<Bits>
 [[nodiscard]] constexpr glm::vec<L, T> to_unorm(glm::vec<L, T> k) {
-    for (glm::length_t i = 0; i < L; ++i) k[i] = to_unorm(k[i]);
+    for (glm::length_t i = 0; i < L; ++i) k[i] = to_unorm<Bits>(k[i]);
     return k;
 }
 
-/// The channel behind a value read from an 8-bit UNORM texture.
+/// The channel behind a value read from a UNORM texture.
 ///
-/// @param c     k / 255, up to thousands of ulp off; values no texture gives are not clamped
-/// @return      k, a whole number 0..255
-/// @formula     floor(255 c + 1/2)
-/// @exactness   A for values farther than 2^-15 from the midpoint of two channels
-template <real T>
-[[nodiscard]] T from_unorm(T c) {
-    return std::floor(c * T(255) + T(0.5));
-}
-template <glm::length_t L, real T>
+/// @tparam Bits   of a channel: 8, 10 or 16
+/// @param c       k / n, n = 2^Bits - 1, up to thousands of ulp off, 60 with 16 bits; others are not clamped
+/// @return        k, a whole number 0 to n
+/// @formula       floor(n c + 1/2)
+/// @exactness     A for values farther than 2^(Bits - 23) from the midpoint of two channels
+template <int Bits = 8, real T>
+requires unorm_bits<Bits>
+[[nodiscard]] T from_unorm(T c) { return std::floor(c * T((1 << Bits) - 1) + T(0.5)); }
+template <int Bits = 8, glm::length_t L, real T>
+requires unorm_bits<Bits>
 [[nodiscard]] glm::vec<L, T> from_unorm(glm::vec<L, T> c) {
-    for (glm::length_t i = 0; i < L; ++i) c[i] = from_unorm(c[i]);
+    for (glm::length_t i = 0; i < L; ++i) c[i] = from_unorm<Bits>(c[i]);
     return c;
 }
 
-/// What an 8-bit UNORM render target stores of a written value: C++ only, the target is the twin.
+/// What a UNORM render target stores of a written value: C++ only, the target is the twin.
 enum class unorm_store { rounds, truncates };
 
 /// @param c     any value; clamped to [0, 1], NaN stores 0 as graphics interfaces ask
-template <real T>
-[[nodiscard]] constexpr std::uint8_t store_unorm8(T c, unorm_store mode = unorm_store::rounds) {
+template <int Bits = 8, real T>
+requires unorm_bits<Bits>
+[[nodiscard]] constexpr unorm_channel<Bits> store_unorm(T c, unorm_store mode = unorm_store::rounds) {
     if (is_nan(c)) return 0;
-    const T scaled = saturate(c) * T(255);
-    return static_cast<std::uint8_t>(mode == unorm_store::rounds ? scaled + T(0.5) : scaled);
+    const T scaled = saturate(c) * T((1 << Bits) - 1);
+    return static_cast<unorm_channel<Bits>>(mode == unorm_store::rounds ? scaled + T(0.5) : scaled);
 }
-template <glm::length_t L, real T>
-[[nodiscard]] constexpr glm::vec<L, std::uint8_t> store_unorm8(glm::vec<L, T> c,
-                                                               unorm_store mode = unorm_store::rounds) {
-    glm::vec<L, std::uint8_t> bytes(0);
-    for (glm::length_t i = 0; i < L; ++i) bytes[i] = store_unorm8(c[i], mode);
-    return bytes;
+template <int Bits = 8, glm::length_t L, real T>
+requires unorm_bits<Bits>
+[[nodiscard]] constexpr glm::vec<L, unorm_channel<Bits>> store_unorm(glm::vec<L, T> c,
+                                                                     unorm_store mode = unorm_store::rounds) {
+    glm::vec<L, unorm_channel<Bits>> channels(0);
+    for (glm::length_t i = 0; i < L; ++i) channels[i] = store_unorm<Bits>(c[i], mode);
+    return channels;
 }
 
-/// What sampling gives back of stored bytes.
-template <real T = float, glm::length_t L>
-[[nodiscard]] constexpr glm::vec<L, T> load_unorm8(glm::vec<L, std::uint8_t> bytes) {
+/// What sampling gives back of stored channels.
+template <int Bits = 8, real T = float, glm::length_t L>
+requires unorm_bits<Bits>
+[[nodiscard]] constexpr glm::vec<L, T> load_unorm(glm::vec<L, unorm_channel<Bits>> channels) {
     glm::vec<L, T> c(0);
-    for (glm::length_t i = 0; i < L; ++i) c[i] = T(bytes[i]) / T(255);
+    for (glm::length_t i = 0; i < L; ++i) c[i] = T(channels[i]) / T((1 << Bits) - 1);
     return c;
 }
 
@@ -122,7 +150,93 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 )GLSL",
 };
 
-inline constexpr const snippet* unorm_snippets[]{&to_unorm, &from_unorm};
+inline constexpr snippet to_unorm10{
+    .name = "to_unorm10",
+    .summary = "channel 0..1023 to the value a 10-bit target stores as it",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// k * 4099 / 4194304 + 1056 / 4194304
+UMBRAGE_HIGHP float umbrage_to_unorm10(UMBRAGE_HIGHP float k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm10(UMBRAGE_HIGHP vec2 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm10(UMBRAGE_HIGHP vec3 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm10(UMBRAGE_HIGHP vec4 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+)GLSL",
+};
+
+inline constexpr snippet from_unorm10{
+    .name = "from_unorm10",
+    .summary = "value read from a 10-bit texture to channel 0..1023",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+UMBRAGE_HIGHP float umbrage_from_unorm10(UMBRAGE_HIGHP float c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm10(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm10(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm10(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+)GLSL",
+};
+
+inline constexpr snippet to_unorm16{
+    .name = "to_unorm16",
+    .summary = "channel 0..65535 to the value a 16-bit target stores as it",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+UMBRAGE_HIGHP float umbrage_to_unorm16(UMBRAGE_HIGHP float k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm16(UMBRAGE_HIGHP vec2 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm16(UMBRAGE_HIGHP vec3 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm16(UMBRAGE_HIGHP vec4 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet from_unorm16{
+    .name = "from_unorm16",
+    .summary = "value read from a 16-bit texture to channel 0..65535",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+UMBRAGE_HIGHP float umbrage_from_unorm16(UMBRAGE_HIGHP float c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm16(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm16(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm16(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* unorm_snippets[]{&to_unorm,     &from_unorm, &to_unorm10,
+                                                 &from_unorm10, &to_unorm16, &from_unorm16};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -13,12 +13,13 @@ namespace umbrage {
 
 /// Clamped to [0, 1] on the way in; on the way out the texel is the depth.
 struct depth32f {
-    using texel = float;
+    using target = float_target;
+    using texel = target::texel;
     static constexpr literal name = "depth32f";
     static constexpr literal summary = "A float texture: nothing to encode.";
     static constexpr const glsl::snippet* writer = &glsl::saturate;
     static constexpr const glsl::snippet* reader = nullptr;
-    static constexpr written writes = written::depth;
+    static constexpr store_format writes = store_format::depth;
     static constexpr std::uint64_t codes = 0x3F800001;  ///< floats from 0 to 1
 
     depth_direction direction = depth_direction::forward;

@@ -16,14 +16,15 @@
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/core/unorm.hpp>
+#include <umbrage/depth/render_target.hpp>
 
 namespace umbrage {
 
 /// What the writer's snippet returns.
-enum class written {
-    depth,   ///< a float to write into a float target
-    bytes,   ///< whole channels 0..255: umbrage_to_unorm makes them the values to write
-    values,  ///< values to write into a UNORM target as they are; what the store makes of them is part of the format
+enum class store_format {
+    depth,     ///< a float to write into a float target
+    integers,  ///< integer channels: the target's to_unorm makes them the values to write
+    values,    ///< values to write into a UNORM target as they are; what it makes of them is part of the format
 };
 
 /// How far a decoded depth may lie from the encoded one, for every depth in [0, 1).
@@ -46,8 +47,9 @@ concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
     { Encoding::name } -> std::convertible_to<std::string_view>;     // a C++ identifier, without the template
     { Encoding::summary } -> std::convertible_to<std::string_view>;  // one sentence
     { Encoding::writer } -> std::convertible_to<const glsl::snippet*>;
-    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth (written::depth)
-    { Encoding::writes } -> std::convertible_to<written>;
+    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth
+    { Encoding::writes } -> std::convertible_to<store_format>;
+    requires render_target<typename Encoding::target>;                    // what its texels lie in
     { Encoding::codes } -> std::convertible_to<std::uint64_t>;            // texels that the writer can give
     { e.direction } -> std::convertible_to<depth_direction>;              // far is 1 forward, 0 reversed
     { e.error(unorm_store::truncates) } -> std::same_as<decoding_error>;  // by default the store rounds

@@ -14,14 +14,16 @@
 #include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
+#include <umbrage/depth/r16.hpp>
 #include <umbrage/depth/rg.hpp>
+#include <umbrage/depth/rgb10.hpp>
 #include <umbrage/depth/rgb24.hpp>
 
 namespace umbrage {
 
 using encodings =
-    list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits, threejs_rgba,
-            threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
+    list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, rgb10, r16, float_bits,
+            threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
 
 /// Calls use(encoding) for one after the other.
 template <class Use>

@@ -84,12 +84,13 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 
 /// The encoding as a value.
 struct float_bits {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "float_bits";
     static constexpr literal summary = "The bit pattern of the float itself, R least significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
     static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
 
     depth_direction direction = depth_direction::forward;

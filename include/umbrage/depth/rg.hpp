@@ -107,13 +107,14 @@ inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
 /// The encoding as a value.
 template <int Bits>
 struct rg {
-    using texel = glm::u8vec2;
+    using target = unorm_target<8, 2>;
+    using texel = target::texel;
     static constexpr glsl::detail::short_name name_text{"rg$b", {{'b', Bits}}};
     static constexpr literal name = name_text.view();
     static constexpr literal summary = "Two channels: R the low byte, G the rest in its high bits.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
     static constexpr const glsl::snippet* reader = &glsl::decode_rg<Bits>;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr int bits = Bits;
     static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
 

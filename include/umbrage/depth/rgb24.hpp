@@ -85,12 +85,13 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 
 /// The encoding as a value.
 struct rgb24 {
-    using texel = glm::u8vec3;
+    using target = unorm_target<8, 3>;
+    using texel = target::texel;
     static constexpr literal name = "rgb24";
     static constexpr literal summary = "Three channels, R most significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rgb24;
     static constexpr const glsl::snippet* reader = &glsl::decode_rgb24;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr int bits = 24;
     static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
 

@@ -83,7 +83,7 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
         const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
         glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
         for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
-            out[x] = store_unorm8(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
+            out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
     }
 }
 

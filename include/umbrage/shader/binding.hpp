@@ -58,8 +58,8 @@ struct binding {
 template <known_encoding Encoding>
 [[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
     map.direction = encoding.direction;
-    if constexpr (Encoding::writes != written::depth) {
-        map.channels = static_cast<int>(Encoding::texel::length());
+    if constexpr (Encoding::writes != store_format::depth) {
+        map.channels = Encoding::target::channels;
         map.depth = "umbrage_" + std::string(Encoding::reader->name) + "(value." +
                     std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
         if constexpr (has_edge<Encoding>) {

@@ -88,7 +88,7 @@ public:
     }
     template <class... Encodings>
     collection& add_readers(const list_of<Encodings...>*) {
-        return (add(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader), ..., *this);
+        return (add(Encodings::writes == store_format::depth ? Encodings::writer : Encodings::reader), ..., *this);
     }
     template <class... Filters>
     collection& add_filters(const list_of<Filters...>*) {

@@ -53,6 +53,7 @@ struct digest {
     }
     void operator()(bool v) { word(v); }
     void operator()(std::uint8_t v) { word(v); }
+    void operator()(std::uint16_t v) { word(v); }
     void operator()(std::uint32_t v) { word(v); }
     template <int L, class T>
     void operator()(const glm::vec<L, T>& v) {

@@ -18,7 +18,7 @@ using vec4 = half_vector<4>;
 // Written through to_unorm into an 8-bit target and sampled again, all in half.
 inline vec2 stored(vec2 k, umbrage::unorm_store store) {
     const vec2 written = umbrage_to_unorm(k);
-    const auto byte = [store](half c) { return half(umbrage::store_unorm8(c.v, store) / 255.0); };
+    const auto byte = [store](half c) { return half(umbrage::store_unorm(c.v, store) / 255.0); };
     return {byte(written.x), byte(written.y)};
 }
 

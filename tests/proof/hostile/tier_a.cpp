@@ -13,7 +13,9 @@
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
+#include <umbrage/depth/r16.hpp>
 #include <umbrage/depth/rg_table.hpp>
+#include <umbrage/depth/rgb10.hpp>
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filters.hpp>
@@ -86,8 +88,38 @@ struct suite : setting {
             [](const auto& in) { return decode_rg<Bits>(in.first, in.second); });
     }
 
+    void wide_channels() const;
     void all() const;
 };
+
+/// Channels of 10 and 16 bits, read an ulp off at most: of 16 bits hundreds would be another channel.
+void suite::wide_channels() const {
+    using namespace umbrage;
+    const auto read = [](source& s, std::uint32_t most) {
+        const float c = float(s.below(most + 1)) / float(most);
+        return c > 0.0f ? from_bits(std::bit_cast<std::uint32_t>(c) + s.below(3) - 1) : c;
+    };
+    const auto tens = [read](source& s) { return glm::vec3(read(s, 1023), read(s, 1023), read(s, 1023)); };
+    const auto short_and_edge = [read](source& s) {
+        const float c = read(s, 65535);
+        return glm::vec2(c, s.edge());
+    };
+    const auto tens_and_end = [tens](source& s) {
+        const glm::vec3 c = tens(s);
+        return glm::vec4(c, float(s.below(2)));
+    };
+    const auto depth = [](source& s) { return s.depth(); };
+    run(
+        "to_unorm10", inputs, [](source& s) { return float(s.below(1024)); }, [](float k) { return to_unorm<10>(k); });
+    run(
+        "to_unorm16", inputs, [](source& s) { return float(s.below(65536)); }, [](float k) { return to_unorm<16>(k); });
+    run("from_unorm10", inputs, tens, [](glm::vec3 c) { return from_unorm<10>(c); });
+    run("from_unorm16", inputs, short_and_edge, [](glm::vec2 c) { return from_unorm<16>(c.x); });
+    run("encode_rgb10", inputs, depth, [](float d) { return encode_rgb10(d); });
+    run("encode_r16", inputs, depth, [](float d) { return encode_r16(d); });
+    run("decode_rgb10", inputs, tens_and_end, [](glm::vec4 c) { return decode_rgb10(glm::vec3(c), c.w); });
+    run("decode_r16", inputs, short_and_edge, [](glm::vec2 c) { return decode_r16(c.x, c.y); });
+}
 
 void suite::all() const {
     using namespace umbrage;
@@ -118,6 +150,7 @@ void suite::all() const {
             return std::pair{s.reads<3>(), float(s.below(2))};
         },
         [](const auto& in) { return decode_rgb24(in.first, in.second); });
+    wide_channels();
     run("encode_float_bits", inputs, any, [](float v) { return encode_float_bits(v); });
     run(
         "decode_float_bits", inputs, [](source& s) { return s.reads<4>(); },
@@ -223,7 +256,7 @@ void suite::all() const {
         run(
             store == unorm_store::rounds ? "stored_by_rounding" : "stored_by_truncating", inputs,
             [](source& s) { return s.bytes<2>(); },
-            [store](glm::u8vec2 k) { return store_unorm8(to_unorm(glm::vec2(k)), store); });
+            [store](glm::u8vec2 k) { return store_unorm(to_unorm(glm::vec2(k)), store); });
 }
 
 // What the docstrings say of NaN, said to this build alone: is_nan tests bits, so that -ffast-math must leave it.

@@ -42,7 +42,7 @@ std::span<const exhibit> spaces();
 /// Through an 8-bit target: what is read back of written values, or of integer channels, which go through to_unorm.
 template <int L>
 glm::vec<L, float> stored(glm::vec<L, float> written, umbrage::unorm_store store = umbrage::unorm_store::rounds) {
-    return umbrage::load_unorm8(umbrage::store_unorm8(written, store));
+    return umbrage::load_unorm(umbrage::store_unorm(written, store));
 }
 template <int L>
 glm::vec<L, float> stored(glm::vec<L, std::uint8_t> channels,

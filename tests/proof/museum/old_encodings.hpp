@@ -140,7 +140,7 @@ score through_table(Fetch fetch) {
 inline vec2 fetch_linear(float d) {
     const float x = d * 2048.0f - 0.5f, i = std::floor(x), f = x - i;
     const auto texel = [](float at) {
-        return load_unorm8(table[std::size_t(at < 0.0f ? 0.0f : (at > 2047.0f ? 2047.0f : at))]);
+        return load_unorm(table[std::size_t(at < 0.0f ? 0.0f : (at > 2047.0f ? 2047.0f : at))]);
     };
     return texel(i) * (1.0f - f) + texel(i + 1.0f) * f;
 }
@@ -181,7 +181,7 @@ score means(Mean mean) {
     return s;
 }
 inline float mean_of_channels(glm::u8vec2 a, glm::u8vec2 b) {
-    return decode_rg<16>(stored((load_unorm8(a) + load_unorm8(b)) * 0.5f), lower_edge<float>);
+    return decode_rg<16>(stored((load_unorm(a) + load_unorm(b)) * 0.5f), lower_edge<float>);
 }
 inline float mean_of_depths(glm::u8vec2 a, glm::u8vec2 b) {
     return (decode_rg<16>(a, lower_edge<float>) + decode_rg<16>(b, lower_edge<float>)) * 0.5f;

@@ -98,7 +98,7 @@ bool reads_nearest(count n) {
 bool channel_survives(count n) {
     const auto k = static_cast<std::uint8_t>(n);
     for (auto store : proof::stores)
-        if (umbrage::store_unorm8(umbrage::to_unorm(float(k)), store) != k) return false;
+        if (umbrage::store_unorm(umbrage::to_unorm(float(k)), store) != k) return false;
     return true;
 }
 
@@ -118,7 +118,7 @@ bool keeps_bits(count n) {
 
 bool reads_bits(count n) {
     const glm::u8vec4 texel(n, n >> 8, n >> 16, n >> 24);
-    return bits(umbrage::decode_float_bits(umbrage::load_unorm8(texel))) == n;
+    return bits(umbrage::decode_float_bits(umbrage::load_unorm(texel))) == n;
 }
 
 /// x / 2040 within a rounding, and the code can be had back.

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include <umbrage/core/unorm.hpp>
 
@@ -22,8 +23,8 @@ static_assert(to_unorm(255.0f) == (257.0f * 255.0f + 64.0f) / 65536.0f && to_uno
 TEST_CASE("to_unorm: the stored byte is the channel, whether the store rounds or truncates") {
     for (int k = 0; k < 256; ++k)
         for (auto mode : {unorm_store::rounds, unorm_store::truncates}) {
-            CHECK(store_unorm8(to_unorm(float(k)), mode) == k);
-            CHECK(store_unorm8(to_unorm(double(k)), mode) == k);
+            CHECK(store_unorm(to_unorm(float(k)), mode) == k);
+            CHECK(store_unorm(to_unorm(double(k)), mode) == k);
         }
 }
 
@@ -64,31 +65,52 @@ TEST_CASE("to_unorm, from_unorm: vectors go channel by channel") {
     CHECK(from_unorm(glm::dvec3(0.2, 0.4, 1.0)) == glm::dvec3(51, 102, 255));
 }
 
-TEST_CASE("store_unorm8: ties, out of range, NaN") {
-    CHECK(store_unorm8(0.5f) == 128);  // 127.5
-    CHECK(store_unorm8(0.5f, unorm_store::truncates) == 127);
-    CHECK(store_unorm8(0.99999994f, unorm_store::truncates) == 254);
+TEST_CASE("store_unorm: ties, out of range, NaN") {
+    CHECK(store_unorm(0.5f) == 128);  // 127.5
+    CHECK(store_unorm(0.5f, unorm_store::truncates) == 127);
+    CHECK(store_unorm(0.99999994f, unorm_store::truncates) == 254);
     for (auto mode : {unorm_store::rounds, unorm_store::truncates}) {
-        CHECK(store_unorm8(1.0f, mode) == 255);
-        CHECK(store_unorm8(1.5f, mode) == 255);
-        CHECK(store_unorm8(inf32, mode) == 255);
-        CHECK(store_unorm8(0.0f, mode) == 0);
-        CHECK(store_unorm8(-0.0f, mode) == 0);
-        CHECK(store_unorm8(-1.0f, mode) == 0);
-        CHECK(store_unorm8(-inf32, mode) == 0);
-        CHECK(store_unorm8(nan32, mode) == 0);
-        CHECK(store_unorm8(-nan32, mode) == 0);
-        CHECK(store_unorm8(std::numeric_limits<float>::denorm_min(), mode) == 0);
+        CHECK(store_unorm(1.0f, mode) == 255);
+        CHECK(store_unorm(1.5f, mode) == 255);
+        CHECK(store_unorm(inf32, mode) == 255);
+        CHECK(store_unorm(0.0f, mode) == 0);
+        CHECK(store_unorm(-0.0f, mode) == 0);
+        CHECK(store_unorm(-1.0f, mode) == 0);
+        CHECK(store_unorm(-inf32, mode) == 0);
+        CHECK(store_unorm(nan32, mode) == 0);
+        CHECK(store_unorm(-nan32, mode) == 0);
+        CHECK(store_unorm(std::numeric_limits<float>::denorm_min(), mode) == 0);
     }
-    CHECK(store_unorm8(glm::vec3(0.0f, 0.2f, 1.0f)) == glm::vec<3, std::uint8_t>(0, 51, 255));
+    CHECK(store_unorm(glm::vec3(0.0f, 0.2f, 1.0f)) == glm::vec<3, std::uint8_t>(0, 51, 255));
 }
 
-TEST_CASE("load_unorm8: k / 255, and back") {
+TEST_CASE("load_unorm: k / 255, and back") {
     for (int k = 0; k < 256; ++k) {
         const glm::vec<2, std::uint8_t> bytes(k, 255 - k);
-        CHECK(load_unorm8(bytes).x == float(k) / 255.0f);
-        CHECK(load_unorm8<double>(bytes).y == double(255 - k) / 255.0);
-        CHECK(store_unorm8(load_unorm8(bytes)) == bytes);
-        CHECK(from_unorm(load_unorm8(bytes)) == glm::vec2(bytes));
+        CHECK(load_unorm(bytes).x == float(k) / 255.0f);
+        CHECK(load_unorm<8, double>(bytes).y == double(255 - k) / 255.0);
+        CHECK(store_unorm(load_unorm(bytes)) == bytes);
+        CHECK(from_unorm(load_unorm(bytes)) == glm::vec2(bytes));
     }
+}
+
+TEST_CASE_TEMPLATE("to_unorm of 10 and 16 bits: every channel is stored as it is, rounding or truncating, and read", T,
+                   float, double) {
+    const auto check = []<int Bits>(std::integral_constant<int, Bits>) {
+        int wrong = 0;
+        for (int k = 0; k < 1 << Bits; ++k) {
+            const T value = to_unorm<Bits>(T(k));
+            for (auto mode : {unorm_store::rounds, unorm_store::truncates})
+                wrong += store_unorm<Bits>(value, mode) != k;
+            for (const T beside : {T(-0.2), T(0.2)})  // of a step: more than a store may be off
+                wrong += store_unorm<Bits>(value + beside / T(1 << Bits)) != k;
+            const auto read =
+                load_unorm<Bits, T>(glm::vec<2, unorm_channel<Bits>>(static_cast<unorm_channel<Bits>>(k)));
+            wrong += from_unorm<Bits>(read) != glm::vec<2, T>(T(k));
+            for (const T ulp : {T(-60), T(60)}) wrong += from_unorm<Bits>(read.x * (T(1) + ulp * T(0x1p-24))) != T(k);
+        }
+        CHECK(wrong == 0);
+    };
+    check(std::integral_constant<int, 10>{});
+    check(std::integral_constant<int, 16>{});
 }

@@ -24,10 +24,11 @@ Encoding in_direction(depth_direction direction) {
     return e;
 }
 
-void check_snippets(const glsl::snippet* writer, const glsl::snippet* reader, written writes, std::string_view name) {
-    CHECK((reader == nullptr) == (writes == written::depth));
+void check_snippets(const glsl::snippet* writer, const glsl::snippet* reader, store_format writes,
+                    std::string_view name) {
+    CHECK((reader == nullptr) == (writes == store_format::depth));
     if (!reader) return;
-    CHECK(writer->name == (writes == written::values ? "write_" : "encode_") + std::string(name));
+    CHECK(writer->name == (writes == store_format::values ? "write_" : "encode_") + std::string(name));
     CHECK(reader->name.starts_with("decode_"));
     CHECK(writer->name.find(reader->name.substr(7)) != std::string_view::npos);
 }
@@ -40,7 +41,7 @@ TEST_CASE("encodings: each knows itself, under a name of its own") {
         static_assert(known_encoding<Encoding>);
         CHECK(names.insert(Encoding::name).second);
         CHECK(Encoding::summary.ends_with('.'));
-        CHECK((Encoding::writes == written::depth) == std::is_same_v<typename Encoding::texel, float>);
+        CHECK((Encoding::writes == store_format::depth) == std::is_same_v<typename Encoding::texel, float>);
         check_snippets(Encoding::writer, Encoding::reader, Encoding::writes, Encoding::name);
     });
     CHECK(names.size() == encodings::size);

@@ -63,8 +63,8 @@ TEST_CASE("decode_rg: bytes, sampled floats and sampled doubles agree, also for 
                 for (float edge : {lower_edge<float>, center<float>, upper_edge<float>}) {
                     const u8vec2 texel(r, g);
                     const float d = decode_rg<Bits>(texel, edge);
-                    differing += d != decode_rg<Bits>(load_unorm8(texel), edge);
-                    differing += double(d) != decode_rg<Bits>(load_unorm8<double>(texel), double(edge));
+                    differing += d != decode_rg<Bits>(load_unorm(texel), edge);
+                    differing += double(d) != decode_rg<Bits>(load_unorm<8, double>(texel), double(edge));
                     differing += d != (float(r + (g << (Bits - 8))) + edge) / float(1 << Bits);
                     greatest = d > greatest ? d : greatest;
                 }

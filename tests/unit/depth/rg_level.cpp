@@ -21,7 +21,7 @@ int wrong(float edge, int ulps) {
     int count = 0;
     for (std::uint32_t x = 0; x < rg<Bits>::codes; ++x) {
         const glm::u8vec2 texel(x & 0xFF, (x >> 8) << (16 - Bits));
-        glm::vec2 c = load_unorm8(texel);
+        glm::vec2 c = load_unorm(texel);
         for (int i = 0; i < 2; ++i)
             for (int n = std::abs(ulps); n > 0; --n) c[i] = std::nextafter(c[i], ulps < 0 ? -1.0f : 2.0f);
         const float at = decode_rg<Bits>(texel, edge), step = 1.0f / float(rg<Bits>::codes);

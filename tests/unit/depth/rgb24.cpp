@@ -33,10 +33,10 @@ TEST_CASE("decode_rgb24: bytes, sampled floats and sampled doubles agree") {
         for (float edge : {lower_edge<float>, upper_edge<float>}) {
             const float d = decode_rgb24(texel, edge);
             REQUIRE(d == (float(x) + edge) / 16777216.0f);
-            REQUIRE(d == decode_rgb24(load_unorm8(texel), edge));
-            REQUIRE(double(d) == decode_rgb24(load_unorm8<double>(texel), double(edge)));
+            REQUIRE(d == decode_rgb24(load_unorm(texel), edge));
+            REQUIRE(double(d) == decode_rgb24(load_unorm<8, double>(texel), double(edge)));
         }
-        REQUIRE(decode_rgb24(load_unorm8<double>(texel), center<double>) == (x + 0.5) / 16777216.0);
+        REQUIRE(decode_rgb24(load_unorm<8, double>(texel), center<double>) == (x + 0.5) / 16777216.0);
     }
 }
 

@@ -2,7 +2,7 @@
 //
 // The RGBA format of Aras Pranckevicius, base 255, as Cesium, Babylon.js and bgfx use it, to read and write such maps.
 //
-//     float stored = umbrage::decode_base255(umbrage::load_unorm8(texel));
+//     float stored = umbrage::decode_base255(umbrage::load_unorm(texel));
 //
 // Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error
 // is up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left
@@ -121,21 +121,22 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 
 /// The format as a value, faults and all; the store rounds. An empty map is cleared to what decodes to 1.
 struct base255 {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "base255";
     static constexpr literal summary =
         "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
     static constexpr const glsl::snippet* writer = &glsl::write_base255;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_base255(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
         const double either = store == unorm_store::rounds ? 0x1p-23 : 0x1.021p-8;
         return {.below = either, .above = either};
@@ -147,18 +148,19 @@ struct base255 {
 
 /// The same, written without the faults.
 struct base255_repaired {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "base255_repaired";
     static constexpr literal summary = "For readers of base 255, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_base255_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
 
     depth_direction direction = depth_direction::forward;
 
     [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth, cleared_depth(direction)); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
         return {.below = 0x1p-23, .above = 0x1p-23};
     }

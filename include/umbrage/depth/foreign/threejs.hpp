@@ -3,8 +3,8 @@
 // The depth formats of three.js, r167 and later, to read and write its maps: RGBA, RGB and RG. Writers give UNORM
 // values as three.js does; what the 8-bit store makes of the channel that holds a fraction is part of the format.
 //
-//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_rgba(depth));
-//     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm8(texel));
+//     glm::u8vec4 texel = umbrage::store_unorm(umbrage::write_threejs_rgba(depth));
+//     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm(texel));
 //
 // Worst error of any binary32 depth, as measured by the tests:
 //
@@ -201,20 +201,21 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
 
 /// RGBA, r167 and later.
 struct threejs_rgba {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_rgba";
     static constexpr literal summary = "RGBA of three.js since r167: three whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_threejs_rgba(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
         const double either = store == unorm_store::rounds ? 0x1p-32 : 0x1p-32 * 256 / 255;
         return {.below = either, .above = either};
@@ -224,20 +225,21 @@ struct threejs_rgba {
 
 /// RGB, r167 and later.
 struct threejs_rgb {
-    using texel = glm::u8vec3;
+    using target = unorm_target<8, 3>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_rgb";
     static constexpr literal summary = "RGB of three.js since r167: two whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_threejs_rgb(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
         const double either = store == unorm_store::rounds ? 0x1p-24 : 0x1p-24 * 256 / 255;
         return {.below = either, .above = either};
@@ -247,20 +249,21 @@ struct threejs_rgb {
 
 /// RG, r167 and later.
 struct threejs_rg {
-    using texel = glm::u8vec2;
+    using target = unorm_target<8, 2>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_rg";
     static constexpr literal summary = "RG of three.js since r167: one whole byte and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_threejs_rg(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
         const double either = store == unorm_store::rounds ? 0x1.02p-17 : 0x1p-16 * 256 / 255;
         return {.below = either, .above = either};

@@ -3,8 +3,8 @@
 // The RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. What the
 // 8-bit store makes of the channel that holds a fraction is part of the format.
 //
-//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_legacy(depth));
-//     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm8(texel));
+//     glm::u8vec4 texel = umbrage::store_unorm(umbrage::write_threejs_legacy(depth));
+//     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm(texel));
 //
 // Worst error of any binary32 depth, and the faults, as measured by the tests:
 //
@@ -121,20 +121,21 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
 
 /// RGBA, r73 to r166, fault and all: 1 decodes to 255/256. An empty map is cleared to what decodes to 1.
 struct threejs_legacy {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_legacy";
     static constexpr literal summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
-    static constexpr written writes = written::values;
+    static constexpr store_format writes = store_format::values;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
 
     depth_direction direction = depth_direction::forward;
 
     /// The writer's values.
     [[nodiscard]] auto write(float depth) const { return write_threejs_legacy(depth, cleared_depth(direction)); }
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
         return {.below = 0x1p-32, .above = 0x1p-32};
     }
@@ -143,12 +144,13 @@ struct threejs_legacy {
 
 /// RGBA for readers of r73 to r166, written without the fault.
 struct threejs_legacy_repaired {
-    using texel = glm::u8vec4;
+    using target = unorm_target<8, 4>;
+    using texel = target::texel;
     static constexpr literal name = "threejs_legacy_repaired";
     static constexpr literal summary = "For readers of three.js r73 to r166, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_threejs_legacy_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
-    static constexpr written writes = written::bytes;
+    static constexpr store_format writes = store_format::integers;
     static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
 
     depth_direction direction = depth_direction::forward;
@@ -156,7 +158,7 @@ struct threejs_legacy_repaired {
     [[nodiscard]] texel encode(float depth) const {
         return encode_threejs_legacy_repaired(depth, cleared_depth(direction));
     }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm(t)); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
         return {.below = 0x1p-24, .above = 0x1p-24};
     }

@@ -15,7 +15,7 @@ texels table() {
     auto* make = make_rg_table<Bits, glm::u8vec4>;  // through a pointer: compilers take minutes to make the large ones
     const auto bytes = make();
     texels t(rg_table_size<Bits>);
-    for (std::size_t x = 0; x < bytes.size(); ++x) t.texels()[x] = load_unorm8(bytes[x]);
+    for (std::size_t x = 0; x < bytes.size(); ++x) t.texels()[x] = load_unorm(bytes[x]);
     return t;
 }
 

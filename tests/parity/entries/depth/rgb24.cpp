@@ -3,20 +3,12 @@
 
 #include <umbrage/depth/rgb24.hpp>
 
-#include "../entries.hpp"
+#include "at_ends.hpp"
 
 namespace parity {
 namespace {
 
 using namespace umbrage;
-
-/// At the ends of a code's interval: the center of one of 24 bits is no float.
-input_class at_ends(input_class kind) {
-    return {kind.name, [fill = kind.fill](std::uint64_t i, random& r, sample& s) {
-                fill(i, r, s);
-                s.x[1].x = s.x[1].x > 0.0f ? 1.0f : 0.0f;
-            }};
-}
 
 vec4 rgb24_of(const sample& s) { return vec4(vec3(encode_rgb24(s.x[0].x)), 255.0f); }
 

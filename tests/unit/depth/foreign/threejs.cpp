@@ -18,17 +18,17 @@ static_assert(0.00392156886f == float(1.0 / 255.0));
 
 TEST_CASE("write_threejs_rgba: bytes from R down, the fraction in A") {
     const float depth = (float(0x010203) + 0.5f) / 16777216.0f;
-    CHECK(store_unorm8(write_threejs_rgba(depth)) == glm::u8vec4(1, 2, 3, 128));
+    CHECK(store_unorm(write_threejs_rgba(depth)) == glm::u8vec4(1, 2, 3, 128));
     CHECK(write_threejs_rgba(depth).w == 0.5f);
-    CHECK(store_unorm8(write_threejs_rgba(0.5f)) == glm::u8vec4(128, 0, 0, 0));
+    CHECK(store_unorm(write_threejs_rgba(0.5f)) == glm::u8vec4(128, 0, 0, 0));
     CHECK(decode_threejs_rgba(glm::vec4(128.0f / 255.0f, 0, 0, 0)) == 0.5f);
 }
 
 TEST_CASE("write_threejs_rgb, write_threejs_rg: shorter, the fraction in the last channel") {
-    CHECK(store_unorm8(write_threejs_rgb((258.0f + 0.5f) / 65536.0f)) == glm::u8vec3(1, 2, 128));
+    CHECK(store_unorm(write_threejs_rgb((258.0f + 0.5f) / 65536.0f)) == glm::u8vec3(1, 2, 128));
     CHECK(write_threejs_rgb(258.25f / 65536.0f).z == 0.25f);
     CHECK(decode_threejs_rgb(glm::vec3(128.0f / 255.0f, 0, 0.5f)) == 0.5f + 0.5f / 65536.0f);
-    CHECK(store_unorm8(write_threejs_rg((3.0f + 0.5f) / 256.0f)) == glm::u8vec2(3, 128));
+    CHECK(store_unorm(write_threejs_rg((3.0f + 0.5f) / 256.0f)) == glm::u8vec2(3, 128));
     CHECK(write_threejs_rg(3.25f / 256.0f).y == 0.25f);
     CHECK(decode_threejs_rg(glm::vec2(128.0f / 255.0f, 0.5f)) == 0.5f + 0.5f / 256.0f);
 }
@@ -49,8 +49,8 @@ TEST_CASE("write_threejs_*: out of range and NaN are the ends") {
 TEST_CASE("three.js formats: double and float write the same bytes on depths that binary32 holds") {
     for (int k = 0; k <= 1 << 24; k += 997) {
         const float d = float(k) / 16777216.0f;
-        REQUIRE(store_unorm8(write_threejs_rgba(d)) == store_unorm8(write_threejs_rgba(double(d))));
-        REQUIRE(store_unorm8(write_threejs_rgb(d)) == store_unorm8(write_threejs_rgb(double(d))));
-        REQUIRE(store_unorm8(write_threejs_rg(d)) == store_unorm8(write_threejs_rg(double(d))));
+        REQUIRE(store_unorm(write_threejs_rgba(d)) == store_unorm(write_threejs_rgba(double(d))));
+        REQUIRE(store_unorm(write_threejs_rgb(d)) == store_unorm(write_threejs_rgb(double(d))));
+        REQUIRE(store_unorm(write_threejs_rg(d)) == store_unorm(write_threejs_rg(double(d))));
     }
 }

@@ -26,7 +26,7 @@ static_assert(encode_threejs_legacy_repaired(below_one) == glm::u8vec4(0, 255, 2
 }  // namespace
 
 TEST_CASE("write_threejs_legacy: A most significant, 1 written as 256 / 255") {
-    CHECK(store_unorm8(write_threejs_legacy(float(0x010203) / 16777216.0f)) == glm::u8vec4(0, 3, 2, 1));
+    CHECK(store_unorm(write_threejs_legacy(float(0x010203) / 16777216.0f)) == glm::u8vec4(0, 3, 2, 1));
     CHECK(write_threejs_legacy(1.0f) == glm::vec4(0, 0, 0, float(256.0 / 255.0)));
     CHECK(write_threejs_legacy(0.5f).w == 0.5f * float(256.0 / 255.0));
     CHECK(decode_threejs_legacy(glm::vec4(0, 0, 0, 128.0f / 255.0f)) == 0.5f);
@@ -47,9 +47,9 @@ TEST_CASE("threejs_legacy: out of range and NaN are the ends") {
 TEST_CASE("threejs_legacy: double and float write the same bytes on depths that binary32 holds") {
     for (int k = 0; k <= 1 << 24; k += 997) {
         const float d = float(k) / 16777216.0f;
-        REQUIRE(store_unorm8(write_threejs_legacy(d)) == store_unorm8(write_threejs_legacy(double(d))));
+        REQUIRE(store_unorm(write_threejs_legacy(d)) == store_unorm(write_threejs_legacy(double(d))));
         REQUIRE(encode_threejs_legacy_repaired(d) == encode_threejs_legacy_repaired(double(d)));
         const glm::u8vec4 texel = encode_threejs_legacy_repaired(d);
-        REQUIRE(std::abs(decode_threejs_legacy(load_unorm8<double>(texel)) - double(d)) <= (d < 1 ? 1e-15 : 0x1p-32));
+        REQUIRE(std::abs(decode_threejs_legacy(load_unorm<8, double>(texel)) - double(d)) <= (d < 1 ? 1e-15 : 0x1p-32));
     }
 }

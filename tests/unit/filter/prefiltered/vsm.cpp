@@ -41,7 +41,7 @@ TEST_CASE("vsm: mean and deviation in four channels make nothing darker") {
         const glm::vec2 m(w.mean([](float d) { return glm::dvec2(encode_vsm(double(d))); }));
         const glm::vec2 held = encode_deviation(m);
         const glm::u8vec2 mean = encode_rg<16>(held.x), deviation = encode_rg<16>(held.y);
-        const glm::vec4 sampled(load_unorm8(mean), load_unorm8(deviation));
+        const glm::vec4 sampled(load_unorm(mean), load_unorm(deviation));
         const float got = decode_vsm(decode_deviation_rgba8(sampled), w.receiver, least);
         const float direct = decode_vsm(m, w.receiver, least);
         darker = std::max(darker, direct - double(got));

@@ -13,6 +13,7 @@ using namespace paths;
 template <class Texel>
 Texel any_texel(values& v) {
     if constexpr (std::is_same_v<Texel, float>) return v.depth();
+    else if constexpr (std::is_integral_v<Texel>) return static_cast<Texel>(v.word() >> (32 - 8 * sizeof(Texel)));
     else {
         Texel t;
         for (int i = 0; i < Texel::length(); ++i) t[i] = static_cast<std::uint8_t>(v.word() >> 24);

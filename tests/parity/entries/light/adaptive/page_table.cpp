@@ -18,7 +18,7 @@ texels entries_of_pages() {
         for (cell.x = 1; cell.x < 33; ++cell.x) {
             const auto column = static_cast<int>(r.below(30)), row = static_cast<int>(r.below(30));
             const auto level = static_cast<int>(r.below(17));
-            t[cell] = level > deepest_page_level ? vec4(0.0f) : load_unorm8(page_entry({column, row}, level));
+            t[cell] = level > deepest_page_level ? vec4(0.0f) : load_unorm(page_entry({column, row}, level));
         }
     return t;
 }

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// What a map's texture keeps of the values that a shader writes into it: bits a channel, channels, and how texels lie
+// in memory. An encoding names its target; tools, tables and shaders ask that.
+//
+//     using target = umbrage::unorm_target<8, 2>;  // RG8
+//     glm::u8vec2 texel = target::store(umbrage::to_unorm(glm::vec2(channels)), umbrage::unorm_store::rounds);
+//
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/core/snippet.hpp>
+#include <umbrage/core/unorm.hpp>
+
+namespace umbrage {
+
+/// A render target and texture for encoded depths.
+template <class Target>
+concept render_target = requires {
+    typename Target::texel;                                                 // in memory
+    { Target::channels } -> std::convertible_to<int>;                       // that a shader writes and reads
+    { Target::format } -> std::convertible_to<std::string_view>;            // as OpenGL calls it
+    { Target::to_unorm } -> std::convertible_to<const glsl::snippet*>;      // of integer channels; null: floats
+    { Target::load(typename Target::texel{}) } -> std::same_as<glm::vec4>;  // as sampled, absent channels 0
+};
+
+/// Floats, or a depth buffer of floats.
+struct float_target {
+    using texel = float;
+    static constexpr int channels = 1;
+    static constexpr std::string_view format = "R32F";
+    static constexpr const glsl::snippet* to_unorm = nullptr;
+
+    [[nodiscard]] static constexpr glm::vec4 load(texel t) { return {t, 0, 0, 0}; }
+};
+
+namespace detail {
+
+/// Channels side by side. One is a number, not a vector.
+template <int Bits, int Channels>
+using unorm_texel = std::conditional_t<Channels == 1, unorm_channel<Bits>,
+                                       glm::vec<(Channels > 1 ? Channels : 2), unorm_channel<Bits>>>;
+
+}  // namespace detail
+
+/// UNORM channels of 8 or 16 bits.
+template <int Bits, int Channels>
+struct unorm_target {
+    using texel = detail::unorm_texel<Bits, Channels>;
+    static constexpr int bits = Bits, channels = Channels;
+    static constexpr std::string_view formats[2][4]{{"R8", "RG8", "RGB8", "RGBA8"}, {"R16", "RG16", "RGB16", "RGBA16"}};
+    static constexpr std::string_view format = formats[Bits == 16][Channels - 1];
+    static constexpr const glsl::snippet* to_unorm = Bits == 16 ? &glsl::to_unorm16 : &glsl::to_unorm;
+
+    /// @param values   as a shader writes them
+    template <class Values>
+    [[nodiscard]] static constexpr texel store(Values values, unorm_store mode = {}) {
+        return store_unorm<Bits>(values, mode);
+    }
+    [[nodiscard]] static constexpr glm::vec4 load(texel t) {
+        glm::vec4 c(0);
+        if constexpr (Channels == 1) c.x = float(t) / float((1 << Bits) - 1);
+        else
+            for (int i = 0; i < Channels; ++i) c[i] = float(t[i]) / float((1 << Bits) - 1);
+        return c;
+    }
+};
+
+/// R10G10B10A2: three channels of ten bits in a word, R in the lowest. Alpha is 1.
+template <>
+struct unorm_target<10, 3> {
+    using texel = std::uint32_t;
+    static constexpr int bits = 10, channels = 3;
+    static constexpr std::string_view format = "RGB10_A2";
+    static constexpr const glsl::snippet* to_unorm = &glsl::to_unorm10;
+
+    [[nodiscard]] static constexpr texel packed(glm::u16vec3 k) {
+        return std::uint32_t(k.x) | std::uint32_t(k.y) << 10 | std::uint32_t(k.z) << 20 | 3u << 30;
+    }
+    [[nodiscard]] static constexpr glm::u16vec3 unpacked(texel t) { return {t & 1023, t >> 10 & 1023, t >> 20 & 1023}; }
+    [[nodiscard]] static constexpr texel store(glm::vec3 values, unorm_store mode = {}) {
+        return packed(store_unorm<10>(values, mode));
+    }
+    [[nodiscard]] static constexpr glm::vec4 load(texel t) { return {load_unorm<10>(unpacked(t)), 0}; }
+};
+
+}  // namespace umbrage

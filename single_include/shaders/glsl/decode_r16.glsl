@@ -1,0 +1,46 @@
+// umbrage 0.1.0, decode_r16: one channel of 16 bits to depth. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of r16: R16 UNORM, not sRGB, no blending, one sample. Clear to (65535) / 65535, with reversed depth
+//   to (0) / 65535. Write umbrage_to_unorm16 of umbrage_encode_r16.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_FROM_UNORM16
+#define UMBRAGE_HAS_FROM_UNORM16
+// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+UMBRAGE_HIGHP float umbrage_from_unorm16(UMBRAGE_HIGHP float c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm16(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm16(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm16(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_R16
+#define UMBRAGE_HAS_DECODE_R16
+// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_r16(UMBRAGE_HIGHP float c, UMBRAGE_HIGHP float edge) {
+    return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
+}
+#endif

@@ -1,0 +1,35 @@
+// umbrage 0.1.0, from_unorm10: value read from a 10-bit texture to channel 0..1023. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_FROM_UNORM10
+#define UMBRAGE_HAS_FROM_UNORM10
+// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+UMBRAGE_HIGHP float umbrage_from_unorm10(UMBRAGE_HIGHP float c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm10(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm10(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm10(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+#endif

@@ -1,0 +1,32 @@
+// umbrage 0.1.0, decode_rgb10: three 10-bit channels, R most significant, to depth. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rgb10: RGB10_A2 UNORM, not sRGB, no blending, one sample. Clear to (1023, 1023, 960) / 1023, with
+//   reversed depth to (0, 0, 0) / 1023. Write umbrage_to_unorm10 of umbrage_encode_rgb10.
+
+#ifndef UMBRAGE_HAS_FROM_UNORM10
+#define UMBRAGE_HAS_FROM_UNORM10
+// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+float umbrage_from_unorm10(float c) {
+    return floor(c * 1023.0 + 0.5);
+}
+float2 umbrage_from_unorm10(float2 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+float3 umbrage_from_unorm10(float3 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+float4 umbrage_from_unorm10(float4 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_RGB10
+#define UMBRAGE_HAS_DECODE_RGB10
+// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+float umbrage_decode_rgb10(float3 c, float edge) {
+    float3 k = umbrage_from_unorm10(c);
+    return ((k.x * 1024.0 + k.y) * 16.0 + floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);
+}
+#endif

@@ -1,0 +1,24 @@
+// umbrage 0.1.0, from_unorm16: value read from a 16-bit texture to channel 0..65535. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_FROM_UNORM16
+#define UMBRAGE_HAS_FROM_UNORM16
+// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+inline float umbrage_from_unorm16(float c) {
+    return metal::floor(c * 65535.0 + 0.5);
+}
+inline float2 umbrage_from_unorm16(float2 c) {
+    return metal::floor(c * 65535.0 + 0.5);
+}
+inline float3 umbrage_from_unorm16(float3 c) {
+    return metal::floor(c * 65535.0 + 0.5);
+}
+inline float4 umbrage_from_unorm16(float4 c) {
+    return metal::floor(c * 65535.0 + 0.5);
+}
+#endif
