@@ -35,7 +35,7 @@ any_filter erased(const Filter& filter) {
             },
             [=](const auto& map, glm::vec3 receiver) {
                 int taps = 0;
-                const auto fetch = [&, texel = umbrage::clamped(map)](glm::ivec2 t) { return ++taps, texel(t); };
+                const auto fetch = [&, texel = umbrage::bordered(map)](glm::ivec2 t) { return ++taps, texel(t); };
                 static_cast<void>(filter(fetch, glm::vec2(receiver), receiver.z));
                 return taps;
             }};

@@ -88,13 +88,13 @@ umbrage::image<float> visibility_of(const example::shadow_system& s, const examp
     const glm::mat4 to_texels = umbrage::texture_matrix(light.space, map.size());
     const auto taps = umbrage::tap_matrices(to_texels);
     const auto fetch = umbrage::clamped(map);
-    const auto outside_lit = umbrage::bordered(map, 1.0f);
+    const auto bordered = umbrage::bordered(map);
     return stage.visibility([&](const example::surface& at) {
         const glm::vec3 point = example::lifted(s, light, at.position, at.face_normal, map.size().x);
         const glm::vec3 p = project_coordinate(shadow_coordinate(to_texels, point));
         const float depth = light.depth(s, p.z);
         if (s.test == example::test_kind::exercise)
-            return umbrage::compare_exercise(depth, outside_lit(glm::ivec2(glm::floor(glm::vec2(p)))), s.epsilon);
+            return umbrage::compare_exercise(depth, bordered(glm::ivec2(glm::floor(glm::vec2(p)))), s.epsilon);
         const float cone = light.cone(at.position);
         if (s.filter == "pcf_2x2_dx_sdk") return cone * umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), depth, s.epsilon);
         if (s.filter == "hard")

@@ -33,7 +33,10 @@ struct description {
     glsl::binding map{};
 };
 
-const glsl::binding as_ps14{.depth = "umbrage_decode_ps14(value.xy)", .channels = 2, .needs = {glsl::decode_ps14}};
+const glsl::binding as_ps14{.outside = umbrage::outside_map::clamped,
+                            .depth = "umbrage_decode_ps14(value.xy)",
+                            .channels = 2,
+                            .needs = {glsl::decode_ps14}};
 
 const std::map<std::string_view, description> descriptions{
     {"radeon_8500",

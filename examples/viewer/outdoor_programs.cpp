@@ -208,7 +208,7 @@ stages outdoor_camera_stages(const session& s) {
     const filter filter = filter_of(s.system);
     std::vector<glsl::bound> uses{glsl::shadow_coordinate, glsl::diffuse_ambient};
     std::vector<glsl::bound> more{glsl::project_coordinate, glsl::plane_slope, glsl::acne_free_bias};
-    glsl::binding map{.texture = glsl::texture::array, .outside_lit = true};
+    glsl::binding map{.texture = glsl::texture::array};
     std::string ahead, visibility_here = std::string(one_face) + in_a_face;
     if (s.cascaded()) {
         visibility_here = in_four_layers;

@@ -106,9 +106,8 @@ stages camera_stages(const shadow_system& s, version v, bool mask) {
     const bias bias = bias_of(s, how.map);
     const bool projects = compares_projected(s), ahead = example::filters_ahead(s.filter);
     const bool sums = summed_table_of(s).has_value();
-    const glsl::binding map = !ahead ? how.map
-                              : sums ? glsl::binding{.texture = glsl::texture::integer}
-                                     : glsl::binding{};
+    glsl::binding map = !ahead ? how.map : sums ? glsl::binding{.texture = glsl::texture::integer} : glsl::binding{};
+    if (!ahead) map.outside = umbrage::outside_map::clamped;  // as the originals sampled
     const auto compared = [&](const char* depth) { return ahead ? even(s, depth) : projected(s, depth); };
     const std::string lit = s.shading == example::shading_kind::diffuse_ambient
                                 ? "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, visibility)"

@@ -75,7 +75,8 @@ const bench::registration rows([] {
                     [s] {
                         s->draw(s->map);
                         umbrage::visibility(s->map.view(), umbrage::depth32f{}, s->receivers.view(),
-                                            umbrage::filters::pcf_2x2{}, s->ours.view());
+                                            umbrage::filters::pcf_2x2{}, s->ours.view(), umbrage::serial{},
+                                            umbrage::outside_map::clamped);
                     },
                 .theirs =
                     [s] {

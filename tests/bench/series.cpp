@@ -114,12 +114,18 @@ void visibility_over_map_size(measurements& m, int side) {
     const auto glm_receivers = copy_of(receivers);
     auto theirs = copy_of(ours);
     const umbrage::filters::pcf_2x2 filter;
-    add("PCF 2x2, float map", "umbrage", [&] { umbrage::visibility(map, f32, receivers, filter, ours); });
+    add("PCF 2x2, float map", "umbrage", [&] {
+        umbrage::visibility(map, f32, receivers, filter, ours, umbrage::serial{}, umbrage::outside_map::clamped);
+    });
     add(
         "PCF 2x2, float map", "GLM code", [&] { peers::glm_code::pcf_2x2(glm_map, glm_receivers, theirs); },
         [&] { return mean_difference(ours.texels(), theirs) < 1e-3; });  // weights in 1/256 here, in floats there
     add(
-        "PCF 2x2, 11-bit map", "umbrage", [&] { umbrage::visibility(packed, rg11, receivers, filter, other); },
+        "PCF 2x2, 11-bit map", "umbrage",
+        [&] {
+            umbrage::visibility(packed, rg11, receivers, filter, other, umbrage::serial{},
+                                umbrage::outside_map::clamped);
+        },
         [&] { return std::ranges::equal(ours.texels(), other.texels()); });
     m.measure();
 }
@@ -161,8 +167,10 @@ void box_over_kernel_size(measurements& m) {
         m.add({"kernel_size", work, by, {}}, 2 * radius + 1, bench::pixels, run, false, agree);
     };
     for (int radius = 0; radius <= 8; ++radius) {
-        add("every texel", "umbrage", radius,
-            [&, radius] { umbrage::visibility(map, f32, receivers, umbrage::filters::box{radius}, ours); });
+        add("every texel", "umbrage", radius, [&, radius] {
+            umbrage::visibility(map, f32, receivers, umbrage::filters::box{radius}, ours, umbrage::serial{},
+                                umbrage::outside_map::clamped);
+        });
         add(
             "every texel", "GLM code", radius,
             [&, radius] { peers::glm_code::pcf_box(radius, glm_map, glm_receivers, theirs); },
@@ -170,7 +178,8 @@ void box_over_kernel_size(measurements& m) {
         add(
             "hierarchical, bounds included", "umbrage", radius,
             [&, radius] {
-                umbrage::visibility(map, f32, receivers, umbrage::filters::hierarchical_box{radius}, other);
+                umbrage::visibility(map, f32, receivers, umbrage::filters::hierarchical_box{radius}, other,
+                                    umbrage::serial{}, umbrage::outside_map::clamped);
             },
             [&] { return std::ranges::equal(ours.texels(), other.texels()); });
     }
@@ -200,7 +209,8 @@ void over_triangles(measurements& m, int n) {
 #endif
     add("shadow mask 1920 x 1080", "umbrage", [&] {
         hills.draw(map);
-        umbrage::visibility(map, f32, hills.receivers, umbrage::filters::pcf_2x2{}, mask);
+        umbrage::visibility(map, f32, hills.receivers, umbrage::filters::pcf_2x2{}, mask, umbrage::serial{},
+                            umbrage::outside_map::clamped);
     });
 #ifdef UMBRAGE_BENCH_EMBREE
     std::vector<float> theirs(mask.texels().size());
@@ -233,10 +243,14 @@ void over_threads(measurements& m) {
             m.add({"threads", work, by, {}}, threads, 1, run, true);
         };
         add("encode 11 bits", "umbrage", [&, parallel] { umbrage::encode(depth, packed, rg11, parallel); });
-        add("PCF 2x2", "umbrage",
-            [&, parallel] { umbrage::visibility(depth, f32, receivers, umbrage::filters::pcf_2x2{}, ours, parallel); });
-        add("box 5x5", "umbrage",
-            [&, parallel] { umbrage::visibility(depth, f32, receivers, umbrage::filters::box{2}, ours, parallel); });
+        add("PCF 2x2", "umbrage", [&, parallel] {
+            umbrage::visibility(depth, f32, receivers, umbrage::filters::pcf_2x2{}, ours, parallel,
+                                umbrage::outside_map::clamped);
+        });
+        add("box 5x5", "umbrage", [&, parallel] {
+            umbrage::visibility(depth, f32, receivers, umbrage::filters::box{2}, ours, parallel,
+                                umbrage::outside_map::clamped);
+        });
         add("depth pass", "umbrage", [&, parallel] {
             std::ranges::fill(map.texels(), 1.0f);
             umbrage::rasterize_depth(map, hills.scene, hills.world_to_light, umbrage::cpu_clip_space,

@@ -152,7 +152,8 @@ const bench::registration rows([] {
                     .measured = bench::clock::wall});
     };
     against_one("PCF 5x5, float map", bench::pixels, [s](image<float>& out, const auto& threads) {
-        umbrage::visibility(s->depth, umbrage::depth32f{}, s->receivers, umbrage::filters::box{2}, out, threads);
+        umbrage::visibility(s->depth, umbrage::depth32f{}, s->receivers, umbrage::filters::box{2}, out, threads,
+                            umbrage::outside_map::clamped);
     });
     for (const bench::mesh* mesh : {&s->hills, &s->large})
         against_one(mesh == &s->large ? "depth pass, 100-pixel triangles" : "depth pass, hills",

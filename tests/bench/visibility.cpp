@@ -46,10 +46,16 @@ const bench::registration rows([] {
     const umbrage::rg<11> rg{.edge = umbrage::lower_edge<float>};
     const umbrage::depth32f f32;
     const auto on_floats = [=](const image<glm::vec3>& receivers, auto filter) {
-        return [=, &receivers] { umbrage::visibility(s->map, f32, receivers, filter, s->ours); };
+        return [=, &receivers] {
+            umbrage::visibility(s->map, f32, receivers, filter, s->ours, umbrage::serial{},
+                                umbrage::outside_map::clamped);
+        };
     };
     const auto on_packed = [=](const image<glm::vec3>& receivers, auto filter) {
-        return [=, &receivers] { umbrage::visibility(s->packed, rg, receivers, filter, s->ours); };
+        return [=, &receivers] {
+            umbrage::visibility(s->packed, rg, receivers, filter, s->ours, umbrage::serial{},
+                                umbrage::outside_map::clamped);
+        };
     };
     const auto glm_2x2 = [s] { peers::glm_code::pcf_2x2(s->glm_map, s->glm_receivers, s->theirs); };
     const auto glm_5x5 = [s] { peers::glm_code::pcf_5x5(s->glm_map, s->glm_receivers, s->theirs); };
@@ -158,8 +164,31 @@ const bench::registration rows([] {
                 .at_least = 1.5,
                 .items = bench::pixels,
                 .ours = on_packed(s->random, pcf_2x2{}),
-                .theirs = [=] { umbrage::visibility(s->map, f32, s->random, pcf_2x2{}, s->other); },
+                .theirs =
+                    [=] {
+                        umbrage::visibility(s->map, f32, s->random, pcf_2x2{}, s->other, umbrage::serial{},
+                                            umbrage::outside_map::clamped);
+                    },
                 .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); }});
+    // A few of these receivers lie at the map's edge; all blocks ask whether theirs do.
+    const auto against_clamped = [&](const std::string& what, const auto& filter) {
+        bench::add({.work = what + ", outside the map lit, float map, coherent 1920 x 1080",
+                    .peer = "ours, clamped",
+                    .items = bench::pixels,
+                    .ours = [=] { umbrage::visibility(s->map, f32, s->coherent, filter, s->ours); },
+                    .theirs =
+                        [=] {
+                            umbrage::visibility(s->map, f32, s->coherent, filter, s->other, umbrage::serial{},
+                                                umbrage::outside_map::clamped);
+                        },
+                    .agree = {}});
+    };
+    against_clamped("hard", umbrage::filters::hard{});
+    against_clamped("PCF 2x2", pcf_2x2{});
+    against_clamped("window 5x5", umbrage::filters::castano<5>);
+    against_clamped("PCF 5x5", box{2});
+    against_clamped("disc of 16, turned", disc);
+    against_clamped("PCSS, 16 blockers and 16 taps", soft);
     const auto scene = std::make_shared<bench::shadowed_scene>(bench::default_scene(8));
     bench::add({.work = "box 17 x 17, hierarchical, default scene, bounds too",
                 .peer = "ours, brute force",
@@ -168,9 +197,13 @@ const bench::registration rows([] {
                 .ours =
                     [=] {
                         umbrage::visibility(scene->map, f32, scene->receivers, umbrage::filters::hierarchical_box{8},
-                                            s->ours);
+                                            s->ours, umbrage::serial{}, umbrage::outside_map::clamped);
                     },
-                .theirs = [=] { umbrage::visibility(scene->map, f32, scene->receivers, box{8}, s->other); },
+                .theirs =
+                    [=] {
+                        umbrage::visibility(scene->map, f32, scene->receivers, box{8}, s->other, umbrage::serial{},
+                                            umbrage::outside_map::clamped);
+                    },
                 .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); }});
 #ifdef UMBRAGE_BENCH_LLVMPIPE
     if (const auto pipe = peers::llvmpipe::start(s->map, s->packed, s->coherent)) {

@@ -38,7 +38,9 @@ private:
 inline void load_windows(umbrage::image_view<const float> map, umbrage::image_view<const glm::vec3> receivers,
                          const umbrage::window_row& row, umbrage::image_view<float> sums) {
     const umbrage::detail::window_table weights(row);
-    umbrage::detail::filter_rows(receivers, window_loads{{map, row, weights}}, sums, 0, sums.size.y);
+    const umbrage::filters::window filter{row};
+    const umbrage::detail::map_edge edge(filter, map.size, nullptr);
+    umbrage::detail::filter_rows(receivers, window_loads{{map, row, weights}}, edge, sums, 0, sums.size.y);
 }
 
 }  // namespace bench

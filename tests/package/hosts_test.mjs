@@ -59,7 +59,7 @@ const kinds = ['texture_2d', 'atlas', 'array', 'cube', 'cube_faces', 'integer', 
 const texts = {
     'every snippet': glsl.text(Object.values(snippets).filter(s => supports(s, version) && !s.scaled), version),
     'depths on a scale of their own': glsl.text([hard, level_rg11], version),
-    'every kind of map': glsl.text(kinds.map(texture => bind(pcf_2x2, texture, { texture, outside_lit: true })), version),
+    'every kind of map': glsl.text(kinds.map(texture => bind(pcf_2x2, texture, { texture })), version),
     'every encoding': glsl.text(Object.entries(encodings).map(([name, map]) => bind(hard, `in_${name}`, map)), version),
 };
 

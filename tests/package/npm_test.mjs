@@ -18,13 +18,14 @@ if (!existsSync(join(node_modules, 'playwright-core'))) {
 const program = `
 import { bind, encodings, glsl, hard, hlsl, msl, pcf_2x2, source, wgsl } from 'umbrage';
 for (const language of [glsl, hlsl, msl, wgsl]) if (!language.text([pcf_2x2]).includes('umbrage_pcf_2x2')) process.exit(1);
-const map = encodings.rg11;
-console.log(source('300 es', [bind(hard, 'sun', map), bind(pcf_2x2, 'sun', map)], 'precision highp float;') + \`
+const map = encodings.rg11, clamped = { ...map, outside: 'clamped' };
+console.log(source('300 es', [bind(hard, 'sun', map), bind(pcf_2x2, 'sun', map), bind(pcf_2x2, 'tile', clamped)], 'precision highp float;') + \`
 uniform highp sampler2D map;
 out vec4 color;
 void main() {
     vec2 coord = gl_FragCoord.xy * 0.5;
-    color = vec4(umbrage_hard_sun(map, vec2(4.0), coord, 0.5), umbrage_pcf_2x2_sun(map, vec2(4.0), coord, 0.5), 0.0, 1.0);
+    float tile = umbrage_pcf_2x2_tile(map, vec2(4.0), coord, 0.5);
+    color = vec4(umbrage_hard_sun(map, vec2(4.0), coord, 0.5), umbrage_pcf_2x2_sun(map, vec2(4.0), coord, 0.5), tile, 1.0);
 }\`);
 `;
 
@@ -34,7 +35,7 @@ const { bind, encodings, hard, source } = require('umbrage');
 if (!source('300 es', [bind(hard, 'sun', encodings.rg11)]).includes('umbrage_hard_sun')) process.exit(1);
 `;
 
-// In the page: 8 x 8 pixels over the 4 x 4 map, their first two channels.
+// In the page: 8 x 8 pixels over the 4 x 4 map, their first row, half a texel from the map's edge.
 function draw(fragment) {
     const gl = document.createElement('canvas').getContext('webgl2');
     const link = gl.createProgram();
@@ -107,7 +108,8 @@ try {
     const channel = c => first.filter((_, i) => i % 4 === c).join(' ');
     check('drawn without an error', error === 0);
     check(`hard: ${channel(0)}`, channel(0) === '0 0 0 0 255 255 255 255');
-    check(`pcf_2x2: ${channel(1)}`, channel(1) === '0 0 0 64 191 255 255 255');
+    check(`pcf_2x2: ${channel(1)}`, channel(1) === '112 64 64 112 207 255 255 255');
+    check(`pcf_2x2, clamped: ${channel(2)}`, channel(2) === '0 0 0 64 191 255 255 255');
 } finally {
     rmSync(folder, { recursive: true });
 }

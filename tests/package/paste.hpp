@@ -57,7 +57,7 @@ struct option {
 inline constexpr option options[]{
     {"UMBRAGE_MAP", "type of the map, in place of sampler2D"},
     {"UMBRAGE_FETCH(map, size, texel)", "depth of a texel, in place of .x: for packed depths"},
-    {"UMBRAGE_OUTSIDE_LIT", "outside the map all is lit; without it the nearest texel inside counts"},
+    {"UMBRAGE_CLAMPED", "outside the map the nearest texel inside counts; without it the far plane, lit"},
     {"UMBRAGE_REVERSED", "depth is 1.0 at the near plane and 0.0 at the far plane"},
     {"UMBRAGE_COMPARE(receiver, stored)", "1.0 for a lit receiver, else 0.0"},
     {"UMBRAGE_BEYOND_FAR(receiver)", "whether a receiver is behind the far plane"}};
@@ -137,6 +137,15 @@ inline std::string map_of(const shader_language& l, const glsl::bound& item) {
                    "1.0, with reversed depth to 0.0.");
 }
 
+/// What texels outside the map count as; where there are macros, the options say it.
+inline std::string outside_of(const shader_language& l, const glsl::bound& item) {
+    using glsl::hook;
+    const bool asks = glsl::detail::calls(item.what, hook::fetch_depth, hook::depth_at) ||
+                      glsl::detail::calls(item.what, hook::map_covers, hook::map_covers);
+    if (!asks || (l.words->macros && item.by_macros)) return "";
+    return comment("Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.");
+}
+
 /// What stands above a text, in place of its first line.
 inline std::string with_head(const shader_language& l, const std::string& copyright, const std::string& name,
                              std::string_view summary, const std::vector<glsl::bound>& items, const std::string& text) {
@@ -146,7 +155,7 @@ inline std::string with_head(const shader_language& l, const std::string& copyri
     head += note;
     head += "// SPDX-License-Identifier: MIT\n";
     head += "// " + copyright + ". License text: LICENSE in the umbrage repository.\n";
-    for (const glsl::bound& item : items) head += map_of(l, item) + targets_of(item.what);
+    for (const glsl::bound& item : items) head += map_of(l, item) + outside_of(l, item) + targets_of(item.what);
     std::string rest = text.substr(text.find('\n') + 1);
     if (rest.starts_with(note)) rest.erase(0, note.size());
     return head + options_of(text) + rest;

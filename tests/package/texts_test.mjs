@@ -58,7 +58,7 @@ try { bind(snippets.hard, 'a', encodings.typo), ++different, console.log('undefi
 }
 for (const bad of [() => bind(snippets.hard, 'a b'), () => bind(undefined, 'a'), () => bind(snippets.hard), () => bind(snippets.hard, 'a', null),
     () => bind(snippets.hard, 'a', { needs: [undefined] }), () => bind(snippets.hard, 'a', { needs: ['hard'] }), () => bind(snippets.hard, '_a'), () => bind(snippets.hard, 'a', { texture: '3d' }),
-    () => bind(snippets.hard, 'a', { size: 3 }), () => bind(snippets.hard, 'a', { gather: 1 }), () => source('200', [snippets.hard]),
+    () => bind(snippets.hard, 'a', { size: 3 }), () => bind(snippets.hard, 'a', { outside: 'lit' }), () => bind(snippets.hard, 'a', { gather: 1 }), () => source('200', [snippets.hard]),
     () => source('300 es', [undefined])]) {
     let refused = false;
     try { bad(); } catch (error) { refused = error.message.startsWith('umbrage: '); }

@@ -40,12 +40,13 @@ std::vector<binding> maps(std::string_view language) {
     for (const named_texture& t : textures)
         for (binding map : depths())
             for (const bool gather : {false, true})
-                for (const bool outside_lit : {false, true})
+                for (const auto outside : {umbrage::outside_map::clamped, umbrage::outside_map::bordered})
                     for (const int region : {0, 1, 2}) {
                         map.texture = t.kind;
                         map.gather = gather;
-                        map.outside_lit = outside_lit;
-                        map.direction = static_cast<umbrage::depth_direction>(outside_lit != gather);
+                        map.outside = outside;
+                        map.direction = static_cast<umbrage::depth_direction>(
+                            (outside == umbrage::outside_map::bordered) != gather);
                         map.origin = region > 0 ? vec2 + "(5.0, 3.0)" : "";
                         map.texture_size = region > 1 ? vec2 + "(64.0, 64.0)" : "";
                         all.push_back(map);

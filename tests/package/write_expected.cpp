@@ -3,6 +3,7 @@
 // Writes what the npm package's texts must be, a case in JSON a line:  write_expected FILE
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -22,7 +23,7 @@ std::string json(const glsl::binding& map) {
     for (const named_texture& t : textures)
         if (t.kind == map.texture) add("texture", literal(t.name));
     add("direction", map.direction == umbrage::depth_direction::forward ? "\"forward\"" : "\"reversed\"");
-    add("outside_lit", map.outside_lit ? "true" : "false");
+    if (map.outside) add("outside", *map.outside == umbrage::outside_map::bordered ? "\"bordered\"" : "\"clamped\"");
     add("gather", map.gather ? "true" : "false");
     add("depth", literal(map.depth));
     add("channels", std::to_string(map.channels));
@@ -54,11 +55,13 @@ std::vector<glsl::binding> maps() {
     std::vector<glsl::binding> all;
     for (const named_texture& t : textures)
         for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed})
-            for (const bool lit : {false, true})
+            for (const std::optional<umbrage::outside_map> outside :
+                 {std::optional<umbrage::outside_map>(), std::optional(umbrage::outside_map::bordered),
+                  std::optional(umbrage::outside_map::clamped)})
                 for (const bool gather : {false, true})
-                    all.push_back({.texture = t.kind, .direction = direction, .outside_lit = lit, .gather = gather});
+                    all.push_back({.texture = t.kind, .direction = direction, .outside = outside, .gather = gather});
     umbrage::for_each_encoding([&](const auto& encoding) { all.push_back(glsl::stored_as(encoding)); });
-    all.push_back(glsl::stored_as(umbrage::rg<11>{}, {.outside_lit = true, .gather = true}));
+    all.push_back(glsl::stored_as(umbrage::rg<11>{}, {.outside = umbrage::outside_map::clamped, .gather = true}));
     all.push_back({.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}});
     all.push_back({.gather = true, .origin = "tile", .texture_size = "atlas_size"});
     all.push_back({.parameters = "int layer", .arguments = "layer", .texel = "fetch(maps, at, layer)"});
@@ -117,7 +120,7 @@ void write(std::ostream& out) {
         add(out, l,
             {bind(glsl::pcf_2x2, "spot", glsl::stored_as(umbrage::rg<11>{})),
              bind(glsl::pcf_2x2, "cascades", {.texture = glsl::texture::array, .direction = reversed}),
-             bind(glsl::box, "tile", {.texture = glsl::texture::atlas, .outside_lit = true}),
+             bind(glsl::box, "tile", {.texture = glsl::texture::atlas, .outside = umbrage::outside_map::bordered}),
              bind(glsl::hard, "lamp", {.texture = glsl::texture::cube}), glsl::cube_coordinate});
         add(out, l, {bind(glsl::hard, "", {})});
         add(out, l, {bind(glsl::hard, "", glsl::stored_as(umbrage::rg<11>{})), glsl::cube_coordinate});
@@ -126,7 +129,7 @@ void write(std::ostream& out) {
         add(out, l,
             {bind(glsl::hard, "a", {}), glsl::level_rg<11>, glsl::pcf_2x2,
              bind(glsl::box, "b", {.texture = glsl::texture::cube})});
-        add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "a", {.outside_lit = true})});
+        add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "a", {.outside = umbrage::outside_map::clamped})});
         add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "A", {})});
         add(out, l, {bind(glsl::hard, "", {}), glsl::box});
         add(out, l, {glsl::box, bind(glsl::hard, "", {})});

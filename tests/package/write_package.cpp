@@ -47,6 +47,8 @@ std::string_view role(glsl::hook h) {
     switch (h) {
         case glsl::hook::none: return "none";
         case glsl::hook::cleared_depth: return "cleared_depth";
+        case glsl::hook::border_depth: return "border_depth";
+        case glsl::hook::map_covers: return "map_covers";
         case glsl::hook::beyond_far_plane: return "beyond_far_plane";
         case glsl::hook::within_far_plane: return "within_far_plane";
         case glsl::hook::compare: return "compare";
@@ -207,7 +209,6 @@ int main(int argc, char** argv) {
     if (argc != 3) return 2;
     try {
         const std::filesystem::path templates = argv[1], folder = argv[2];
-        std::filesystem::remove_all(folder / "shaders");  // those of snippets that are no more, too
         package::write_shaders(folder / "shaders", package::copyright(templates / "../../LICENSE"));
         const std::string module = package::filled(
             templates / "umbrage.mjs.in", {{"@version@", package::version}, {"@data@", package::module_data()}});

@@ -122,8 +122,9 @@ struct entry {
     std::vector<bound_map> bound{};      ///< as what shaders have it; to the k-th its k-th channel is the first
     texels table{};                      ///< values k / 255
     std::vector<const snippet*> also{};  ///< further snippets that `call` uses
-    umbrage::glsl::binding map_kind{};   ///< of a depth it takes the first channels: "...(value.xy...)"
-    std::string preamble{};              ///< macros, beyond those that say what map_kind does
+    /// What a shader's one map is; of a depth it takes the first channels: "...(value.xy...)".
+    umbrage::glsl::binding map_kind{.outside = umbrage::outside_map::clamped};
+    std::string preamble{};  ///< macros, beyond those that say what map_kind does
     target output = target::rgba32f;
     bool bits = false;      ///< a denormal must not act as zero
     std::size_t share = 1;  ///< takes one input of so many

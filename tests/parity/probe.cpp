@@ -184,7 +184,9 @@ void ask_weights(const asker& ask, observed_arithmetic& a) {
     entry e{.primitive = &umbrage::glsl::lit_at,
             .call = "vec4(umbrage_lit_at(map, map_size, vec2(x0.x, 0.5), 0.5))",
             .maps = {texels({2, 1})},
-            .bound = {{.name = "map", .as = {.texture = umbrage::glsl::texture::shadow}, .linear = true}}};
+            .bound = {{.name = "map",
+                       .as = {.texture = umbrage::glsl::texture::shadow, .outside = umbrage::outside_map::clamped},
+                       .linear = true}}};
     e.maps.front()[{1, 0}] = vec4(1.0f);
     std::vector<vec4> at;
     for (int i = 0; i < 1 << bits; ++i) at.emplace_back(0.25f + std::ldexp(static_cast<float>(i), -bits - 1));

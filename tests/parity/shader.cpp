@@ -112,7 +112,7 @@ std::string map_size(const entry& e) {
 std::string macros(const entry& e) {
     std::string all = e.preamble;
     if (e.map_kind.direction == umbrage::depth_direction::reversed) all += "#define UMBRAGE_REVERSED\n";
-    if (e.map_kind.outside_lit) all += "#define UMBRAGE_OUTSIDE_LIT\n";
+    if (e.map_kind.outside == umbrage::outside_map::clamped) all += "#define UMBRAGE_CLAMPED\n";
     if (std::string depth = e.map_kind.depth; !depth.empty()) {
         const std::string value = "value.xy";
         depth.replace(depth.find(value), value.size(), "vec2(umbrage_fetch_clamped(map, size, texel))");

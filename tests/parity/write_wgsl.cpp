@@ -40,7 +40,7 @@ int main(int argc, char** argv) try {
                 if (packed && !has_channels) continue;
                 const glsl::binding plain{.texture = kind,
                                           .direction = depth_direction::reversed,
-                                          .outside_lit = gather != packed,
+                                          .outside = gather != packed ? outside_map::bordered : outside_map::clamped,
                                           .gather = gather};
                 const std::string name = "kind" + std::to_string(static_cast<int>(kind)) + (gather ? "_gathered" : "") +
                                          (packed ? "_packed" : "");

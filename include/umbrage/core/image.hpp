@@ -4,7 +4,7 @@
 //
 //     umbrage::image<float> map({1024, 1024}, 1.0f);
 //     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
-//     float depth = umbrage::clamped(foreign)(glm::ivec2(-1, 5));  // the texel at (0, 5)
+//     float depth = umbrage::bordered(foreign)(glm::ivec2(-1, 5));  // 1: the far plane
 //
 #pragma once
 
@@ -14,6 +14,7 @@
 #include <new>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -153,6 +154,8 @@ template <class T>
 [[nodiscard]] image_view<const T> view_of(const image<T>& of) {
     return of;
 }
+template <class Map>
+using texel_of = std::remove_const_t<std::remove_pointer_t<decltype(view_of(std::declval<const Map&>()).data)>>;
 template <class T>
 inline constexpr bool is_image = false;
 template <class T>
@@ -195,25 +198,35 @@ template <class T>
 
 /// fetch_clamped as the callable that filters take.
 /// @throws std::invalid_argument  empty map
-template <class T>
-[[nodiscard]] auto clamped(image_view<T> map) {
-    if (map.empty()) detail::fail("umbrage::clamped: empty map");
-    return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
-}
-template <class T>
-[[nodiscard]] auto clamped(const image<T>& map) {
-    return clamped(map.view());
+template <class Map, class = detail::texel_of<Map>>
+[[nodiscard]] auto clamped(const Map& map) {
+    if (detail::view_of(map).empty()) detail::fail("umbrage::clamped: empty map");
+    return [view = detail::view_of(map)](glm::ivec2 texel) { return fetch_clamped(view, texel); };
 }
 
-/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
-/// lit.
+/// fetch_bordered as the callable that filters take.
 template <class T>
-[[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
-    return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
+struct bordered_map {
+    image_view<const T> map{};
+    T border{};
+    [[nodiscard]] T operator()(glm::ivec2 texel) const { return fetch_bordered(map, texel, border); }
+};
+/// A map without its border's value: decoded() and look-ups into prefiltered maps know what the far plane is there.
+template <class T>
+struct bordered_texels {
+    image_view<const T> map{};
+};
+
+/// @param border   what texels outside the map count as; the far plane's, as cleared_depth(clip), lights all outside
+template <class Map, class Texel = detail::texel_of<Map>>
+[[nodiscard]] bordered_map<Texel> bordered(const Map& map, std::type_identity_t<Texel> border) {
+    return {detail::view_of(map), border};
 }
-template <class T>
-[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
-    return bordered(map.view(), border);
+/// Of depths that run forward, with 1, the far plane; of other texels bordered_texels.
+template <class Map, class Texel = detail::texel_of<Map>>
+[[nodiscard]] auto bordered(const Map& map) {
+    if constexpr (std::is_floating_point_v<Texel>) return bordered(map, Texel(1));
+    else return bordered_texels<Texel>{detail::view_of(map)};
 }
 
 namespace glsl {
@@ -269,13 +282,14 @@ inline constexpr snippet fetch_bordered{
     .name = "fetch_bordered",
     .summary = "texel of a map, outside a border value",
     .exactness = tier::a,
-    .needs = list<&fetch_clamped, &inside_map>,
+    .needs = list<&texel>,
     .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
+    UMBRAGE_HIGHP vec2 at = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, at);
+    return at.x == texel.x && at.y == texel.y ? value : border;
 }
 )GLSL",
 };

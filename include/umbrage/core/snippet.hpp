@@ -59,6 +59,8 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
 enum class hook {
     none,
     cleared_depth,
+    border_depth,
+    map_covers,
     beyond_far_plane,
     within_far_plane,
     compare,

@@ -37,7 +37,7 @@ template <real T, class Compare = less_equal>
 }
 
 /// Stored depth of a texel: the fetch callable of every filter, by name.
-/// @param fetch   ivec2 texel -> depth, e.g. clamped(map), or decoded(map, rg<11>{}) for packed maps
+/// @param fetch   ivec2 texel -> depth, e.g. bordered(map), or decoded(map, rg<11>{}) for packed maps
 template <class Fetch>
 [[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
     return fetch(texel);
@@ -71,21 +71,71 @@ template <real T, class Fetch, class Compare = less_equal>
     return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
 }
 
+/// Whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit.
+/// @param size      of the map, in texels
+/// @param outside   clamped: whatever the receiver, which then sees the map's edge
+/// @exactness       A
+template <real T>
+[[nodiscard]] constexpr bool map_covers(glm::vec<2, T> size, glm::vec<2, T> coord,
+                                        outside_map outside = outside_map::bordered) {
+    return outside == outside_map::clamped ||
+           (coord.x >= T(0) && coord.y >= T(0) && coord.x < size.x && coord.y < size.y);
+}
+
+namespace detail {
+
+/// The far plane's depth, as an encoding knows it.
+template <class Encoding>
+[[nodiscard]] float far_depth(const Encoding& encoding) {
+    if constexpr (requires { encoding.direction; }) return cleared_depth(encoding.direction);
+    else return 1.0f;
+}
+
+}  // namespace detail
+
+/// A packed map with its encoding: a fetch that counts texels outside the map as the far plane. clamped() of it counts
+/// the nearest texel inside.
+template <class Texel, class Encoding>
+struct decoded_map {
+    image_view<const Texel> map{};
+    Encoding encoding{};
+    float border = detail::far_depth(encoding);
+
+    [[nodiscard]] auto operator()(glm::ivec2 texel) const {
+        return inside_map(map.size, texel) ? encoding.decode(map.row(texel.y)[texel.x]) : border;
+    }
+};
+
 /// A packed map as the fetch callable that filters take.
-/// @param fetch      ivec2 -> texel, e.g. bordered(map, encoding.cleared()); a map stands for clamped(map)
+/// @param fetch      ivec2 -> texel, as clamped(map); a map stands for bordered(map)
 /// @param encoding   one of encodings.hpp
-/// @throws std::invalid_argument  empty map
 template <std::invocable<glm::ivec2> Fetch, class Encoding>
 [[nodiscard]] auto decoded(Fetch fetch, Encoding encoding) {
     return [fetch, encoding](glm::ivec2 texel) { return encoding.decode(fetch(texel)); };
 }
 template <class Texel, class Encoding>
-[[nodiscard]] auto decoded(image_view<Texel> map, Encoding encoding) {
-    return decoded(clamped(map), encoding);
+[[nodiscard]] decoded_map<std::remove_const_t<Texel>, Encoding> decoded(image_view<Texel> map, Encoding encoding) {
+    return {map, encoding};
 }
 template <class Texel, class Encoding>
-[[nodiscard]] auto decoded(const image<Texel>& map, Encoding encoding) {
-    return decoded(map.view(), encoding);
+[[nodiscard]] decoded_map<Texel, Encoding> decoded(const image<Texel>& map, Encoding encoding) {
+    return {map, encoding};
+}
+template <class Texel, class Encoding>
+[[nodiscard]] decoded_map<Texel, Encoding> decoded(bordered_texels<Texel> map, Encoding encoding) {
+    return {map.map, encoding};
+}
+
+/// As decoded(bordered(map), encoding).
+template <class Texel, class Encoding>
+[[nodiscard]] decoded_map<Texel, Encoding> bordered(decoded_map<Texel, Encoding> map) {
+    return map;
+}
+/// As decoded(clamped(map), encoding).
+/// @throws std::invalid_argument  empty map
+template <class Texel, class Encoding>
+[[nodiscard]] auto clamped(const decoded_map<Texel, Encoding>& map) {
+    return decoded(clamped(map.map), map.encoding);
 }
 
 namespace glsl {
@@ -117,8 +167,8 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 )GLSL",
 };
 
-/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined
-/// beforehand, makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
+/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_CLAMPED, defined beforehand,
+/// makes it clamped(map) instead of bordered(map, cleared_depth(clip)).
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth",
     .summary = "stored depth of a texel",
@@ -127,9 +177,9 @@ inline constexpr snippet fetch_depth{
     .role = hook::fetch_depth,
     .source = R"GLSL(
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
-// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+// UMBRAGE_CLAMPED: define it and outside the map the nearest texel inside counts, where it is else the far plane
 #ifndef UMBRAGE_FETCH
-#ifndef UMBRAGE_OUTSIDE_LIT
+#ifdef UMBRAGE_CLAMPED
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
 #else
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
@@ -138,6 +188,24 @@ inline constexpr snippet fetch_depth{
 // umbrage_fetch_depth: stored depth of a texel
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     return UMBRAGE_FETCH(map, size, texel);
+}
+)GLSL",
+};
+
+inline constexpr snippet map_covers{
+    .name = "map_covers",
+    .summary = "whether a receiver of a prefiltered map lies in it",
+    .exactness = tier::a,
+    .role = hook::map_covers,
+    .source = R"GLSL(
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// UMBRAGE_CLAMPED: define it and all receivers do
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+#ifdef UMBRAGE_CLAMPED
+    return true;
+#else
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+#endif
 }
 )GLSL",
 };
@@ -193,8 +261,8 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL",
 };
 
-inline constexpr const snippet* texel_space_snippets[]{&fetch_depth,      &depth_at, &inside_texel_space,
-                                                       &in_filter_domain, &lit,      &lit_2x2};
+inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, &inside_texel_space, &in_filter_domain,
+                                                       &lit,         &lit_2x2,  &map_covers};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -5,7 +5,11 @@
 //
 //     bool lit = umbrage::receiver_rg<11>(depth, umbrage::upper_edge<float>) <= umbrage::level_rg<11>(sampled);
 //
-// In a filter: #define UMBRAGE_FETCH(map, size, texel) umbrage_level_rg11(umbrage_fetch_clamped(map, size, texel).xy)
+// In a filter, outside of whose map all is lit:
+//
+//     #define STORED(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(1.0)).xy
+//     #define UMBRAGE_FETCH(map, size, texel) umbrage_level_rg11(STORED(map, size, texel))
+//
 // and umbrage_receiver_rg11(depth, 1.0) for the receiver; the filter's visibility is that of decode_rg, to the bit.
 #pragma once
 

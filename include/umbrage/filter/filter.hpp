@@ -3,7 +3,7 @@
 // What a filter is: a value that makes visibility of a map's texels, and knows what there is to know of itself.
 //
 //     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
-//     float visibility = filter(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = filter(umbrage::bordered(map), coord, depth - bias);
 //
 // The library's own are listed in filters.hpp. Functions over images take any callable like them.
 #pragma once

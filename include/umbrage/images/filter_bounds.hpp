@@ -5,14 +5,14 @@
 //
 //     const auto [bounds, place] = umbrage::make_filter_bounds(map.view(), filter.reach());
 //     float lit = umbrage::bounds_lit(umbrage::clamped(bounds), coord, depth - bias, place);
-//     if (lit < 0) lit = filter(umbrage::clamped(map), coord, depth - bias);
+//     if (lit < 0) lit = filter(umbrage::bordered(map), coord, depth - bias);
 //
 #pragma once
 
-#include <optional>
 #include <utility>
 
 #include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/clip_space.hpp>
 #include <umbrage/images/blocks/box_bounds.hpp>
 
 namespace umbrage {
@@ -24,18 +24,22 @@ struct filter_bounds {
 
 /// @param map       depths, any values
 /// @param reach     of the filter, in texels, 0 .. 256
-/// @param border    what counts outside the map, as cleared_depth(direction); none: the nearest texel inside
+/// @param direction of the map's depth
 /// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @param outside   what texels outside the map count as, for the filter as for its bounds
 /// @throws std::invalid_argument  empty map, another reach
 /// @exactness       A: selects, never computes
 template <class ParallelFor = serial>
 [[nodiscard]] filter_bounds make_filter_bounds(image_view<const float> map, float reach,
-                                               std::optional<float> border = {}, ParallelFor&& parallel = {}) {
+                                               depth_direction direction = depth_direction::forward,
+                                               ParallelFor&& parallel = {},
+                                               outside_map outside = outside_map::bordered) {
     if (map.empty() || !(reach >= 0.0f && reach <= 256.0f))
         detail::fail("umbrage::make_filter_bounds: empty map, or reach");
     image<float> ringed;
+    const bool border = outside == outside_map::bordered;
     if (border) {
-        ringed = image<float>(map.size + 2, *border);
+        ringed = image<float>(map.size + 2, cleared_depth(direction));
         for (int y = 0; y < map.size.y; ++y)
             detail::copy(map.row(y), std::size_t(map.size.x), ringed.view().row(y + 1) + 1);
         map = ringed.view();

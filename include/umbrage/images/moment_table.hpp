@@ -77,11 +77,12 @@ template <class ParallelFor = serial>
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param radius      of the box, at most the table's
 /// @param out         visibility, 1 lit; same size as receivers
+/// @param outside     bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
 template <class ParallelFor = serial>
 void summed_visibility(image_view<const glm::u16vec4> table, const moment_table& of,
                        image_view<const glm::vec3> receivers, int radius, image_view<float> out,
-                       ParallelFor&& parallel = {}) {
+                       ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
     if (table.size.x < 4 || table.size.x % 2 || table.size.y < 2)
         detail::fail("umbrage::summed_visibility: the table is not one of make_moment_table");
@@ -92,7 +93,7 @@ void summed_visibility(image_view<const glm::u16vec4> table, const moment_table&
         for (int y = first; y < last; ++y)
             for (int x = 0; x < out.size.x; ++x) {
                 const glm::vec3 r = receivers.row(y)[x];
-                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, cleared);
+                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, cleared, outside);
             }
     });
 }

@@ -107,7 +107,7 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float depth, glm::ivec2 pixel) {
         const glm::vec4 at = page_coordinate(table, static_cast<float>(side), coord, page, gutter);
         const auto texels = map.atlas.region(glm::ivec2(at.z, at.w), glm::ivec2(pitch));
-        visibility = filtered(filter, decoded(texels, encoding), glm::vec2(at), depth, pixel);
+        visibility = filtered(filter, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
     });
 }
 

@@ -66,7 +66,7 @@ struct bilinear_block {
     alignas(64) float hi_x[block], hi_y[block];
 
     template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& r, glm::ivec2 size, bool forward) {
+    UMBRAGE_INLINE void place(const Receivers& r, glm::ivec2 size, bool forward, outside_map outside) {
         const auto axis = [](float coord, int highest, float& hi, std::int32_t& here, std::int32_t& next)
                               UMBRAGE_INLINE {
                                   const std::int32_t x = floor_int(coord * 256.0f) - 128;
@@ -74,14 +74,17 @@ struct bilinear_block {
                                   next = clamp_int((x >> 8) + 1, highest);
                                   hi = static_cast<float>(x & 255);
                               };
-        const std::int32_t towards_far = forward ? -1 : 0;
+        const std::int32_t towards_far = forward ? -1 : 0, anywhere = outside == outside_map::clamped ? -1 : 0;
+        const auto width = static_cast<float>(size.x), height = static_cast<float>(size.y);
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
             const float x = r.x(i), y = r.y(i);
             const std::int32_t beyond = (beyond_far_plane_mask<true>(r.z(i)) & towards_far) |
                                         (beyond_far_plane_mask<false>(r.z(i)) & ~towards_far);
             const std::int32_t inside = texel_space_mask(x, y);
-            compared[i] = inside & ~beyond;
+            const std::int32_t covered = -(std::int32_t(x >= 0.0f) & std::int32_t(y >= 0.0f) & std::int32_t(x < width) &
+                                           std::int32_t(y < height));
+            compared[i] = inside & ~beyond & (covered | anywhere);
             axis(masked(x, inside), size.x - 1, hi_x[i], left[i], right[i]);
             axis(masked(y, inside), size.y - 1, hi_y[i], low[i], high[i]);
         }
@@ -205,11 +208,12 @@ template <class Texel, class ParallelFor = serial>
 /// @param filter     as encode_moments had it
 /// @param out        visibility, 1 lit; same size as receivers
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @param outside    bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, or the map is empty
 /// @exactness        the filter's decode of fetch_bilinear, bit for bit; who is not compared is lit
 template <class Prefilter, class Receivers, class ParallelFor = serial>
 void look_up(image_view<const typename Prefilter::texel> texels, const Receivers& receivers, const Prefilter& filter,
-             image_view<float> out, ParallelFor&& parallel = {}) {
+             image_view<float> out, ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     if (detail::size_of(receivers) != out.size) detail::fail("umbrage::look_up: sizes differ");
     if (texels.empty()) detail::fail("umbrage::look_up: empty map");
     if (out.empty()) return;
@@ -221,7 +225,7 @@ void look_up(image_view<const typename Prefilter::texel> texels, const Receivers
             const Prefilter own = filter;  // in registers
             for (detail::block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
                 detail::use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
-                    of_block.place(r, texels.size, forward);
+                    of_block.place(r, texels.size, forward, outside);
                     for (int i = 0; i < detail::block; ++i) depths[i] = r.z(i);
                 });
                 of_block.fetch(texels);

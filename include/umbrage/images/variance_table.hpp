@@ -84,11 +84,12 @@ template <class ParallelFor = serial>
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param radius      of the box, at most the table's
 /// @param out         visibility, 1 lit; same size as receivers
+/// @param outside     bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, a table without texels, or a radius below 0 or above the table's
 template <class ParallelFor = serial>
 void summed_visibility(image_view<const glm::u16vec4> table, const variance_table& of,
                        image_view<const glm::vec3> receivers, int radius, image_view<float> out,
-                       ParallelFor&& parallel = {}) {
+                       ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
     if (table.size.x < 2 || table.size.y < 2) detail::fail("umbrage::summed_visibility: empty table");
     if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
@@ -98,7 +99,8 @@ void summed_visibility(image_view<const glm::u16vec4> table, const variance_tabl
         for (int y = first; y < last; ++y)
             for (int x = 0; x < out.size.x; ++x) {
                 const glm::vec3 r = receivers.row(y)[x];
-                out.row(y)[x] = summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit);
+                out.row(y)[x] =
+                    summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit, outside);
             }
     });
 }

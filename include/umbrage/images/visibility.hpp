@@ -9,10 +9,11 @@
 //     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
 //     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
-// Bit for bit what the filter gives for each receiver alone.
+// Bit for bit what the filter gives for each receiver alone, of bordered(map): all outside the map is lit.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <type_traits>
 
@@ -27,17 +28,73 @@
 
 namespace umbrage {
 
-/// What receivers see whose texels lie outside the map.
-enum class outside_map {
-    clamped,  ///< the nearest texel inside: what clamped(map) fetches
-    lit,      ///< the far plane: what bordered(map, cleared_depth(clip)) fetches
-};
-
 namespace detail {
 
+/// Visibility of a receiver, by a filter that may want to know its pixel, too.
+template <class Filter, class Fetch>
+[[nodiscard]] float filtered(const Filter& filter, const Fetch& fetch, glm::vec2 coord, float receiver,
+                             [[maybe_unused]] glm::ivec2 pixel) {
+    if constexpr (requires { filter(fetch, coord, receiver, pixel); })
+        return static_cast<float>(filter(fetch, coord, receiver, pixel));
+    else return static_cast<float>(filter(fetch, coord, receiver));
+}
+
+/// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
+struct erased_fetch {
+    const void* fetch;
+    float (*call)(const void*, glm::ivec2);
+    float operator()(glm::ivec2 texel) const { return call(fetch, texel); }
+};
+template <class Fetch>
+[[nodiscard]] erased_fetch erase(const Fetch& fetch) {
+    return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
+}
+
+/// The receivers whose texels may lie outside the map. Blocks clamp there: with a border these are filtered again.
+template <class Filter>
+class map_edge {
+public:
+    /// @param bordered   what fetches the map with its border; none: the edge clamps
+    map_edge(const Filter& filter, glm::ivec2 map_size, const erased_fetch* bordered)
+        : filter_(filter),
+          bordered_(bordered),
+          margin_(filter.reach() + 0.5f),  // weights are in steps of 1/256
+          size_(map_size),
+          inside_(glm::vec2(margin_), size_ - margin_) {}
+
+    /// Whether one of a block is among them.
+    template <class Receivers>
+    [[nodiscard]] UMBRAGE_INLINE bool meets(const Receivers& r) const {
+        return bordered_ && !inside_.holds(r);
+    }
+    /// Filters those of a block again.
+    template <class Receivers>
+    void filter_again(const Receivers& receivers, const block_walk& at, float* visibility) const {
+        const glm::vec2 last = size_ - margin_, beyond = size_ + margin_;
+        use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
+            for (int i = 0; i < at.count(); ++i) {
+                const glm::vec2 c(r.x(i), r.y(i));
+                if (c.x >= margin_ && c.y >= margin_ && c.x <= last.x && c.y <= last.y) continue;
+                const bool apart = c.x < -margin_ || c.y < -margin_ || c.x > beyond.x || c.y > beyond.y;
+                visibility[i] = apart && !is_nan(r.z(i))
+                                    ? 1.0f
+                                    : filtered(filter_, *bordered_, c, r.z(i), glm::ivec2(at.x + i, at.y));
+            }
+        });
+    }
+
+private:
+    const Filter& filter_;
+    const erased_fetch* bordered_;
+    float margin_;
+    glm::vec2 size_;
+    receiver_rectangle inside_;
+};
+
 /// The receivers of some rows through a filter's blocks.
-template <class Receivers, class Blocks>
-void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<float> out, int first, int last) {
+template <class Receivers, class Blocks, class Edge>
+void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out, int first,
+                 int last) {
     const bool large = past_cache(out);
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr unsigned ring = 4;  // blocks on their way
@@ -45,6 +102,7 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
         typename Blocks::placed placed[ring];
         typename tile_of<Blocks>::type tile;
         alignas(64) float visibility[std::size_t(tile.rows)][block];
+        bool at_edge[ring], again[std::size_t(tile.rows)];
         block_walk ahead{0, first, out.size.x, tile.rows, last}, at = ahead;
         for (unsigned n = 0; at.y < last; ++n) {
             if (ahead.y < last) {
@@ -53,6 +111,7 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
                     if constexpr (requires { blocks.place(of_block, placed[0], 0); })
                         blocks.place(of_block, placed[n % ring], ahead.y);
                     else blocks.place(of_block, placed[n % ring]);
+                    at_edge[n % ring] = edge.meets(of_block);
                 });
                 ahead.step();
             }
@@ -60,10 +119,12 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
             float* const to_tile = visibility[at.y - at.first];
             if constexpr (in_tiles) blocks(placed[(n + 1) % ring], at.count(), to_tile, tile, set);
             else blocks(placed[(n + 1) % ring], at.count(), to_tile, set);
+            again[at.y - at.first] = at_edge[(n + 1) % ring];
             if (at.ends_tile()) {
                 if constexpr (in_tiles) blocks.finish(tile, set);
                 for (int y = at.first; y <= at.y; ++y) {
-                    const float* const from = visibility[y - at.first];
+                    float* const from = visibility[y - at.first];
+                    if (again[y - at.first]) edge.filter_again(receivers, {at.x, y, at.width}, from);
                     float* const to = out.row(y) + at.x;
                     if (large && at.x == 0) prefetch_rest(to, out.size.x);
                     if (large && at.count() == block) stream_block(to, from);
@@ -74,15 +135,6 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
         }
     });
     if (large) finish_streaming();
-}
-
-/// Visibility of a receiver, by a filter that may want to know its pixel, too.
-template <class Filter, class Fetch>
-[[nodiscard]] float filtered(const Filter& filter, const Fetch& fetch, glm::vec2 coord, float receiver,
-                             [[maybe_unused]] glm::ivec2 pixel) {
-    if constexpr (requires { filter(fetch, coord, receiver, pixel); })
-        return static_cast<float>(filter(fetch, coord, receiver, pixel));
-    else return static_cast<float>(filter(fetch, coord, receiver));
 }
 
 /// Calls use(visibility, coord, receiver, pixel) for one receiver after the other.
@@ -108,30 +160,6 @@ void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& 
                       });
 }
 
-/// Once more the receivers whose texels may lie outside the map, now with a border that lights them.
-template <class Receivers, class Filter, class Fetch, class ParallelFor>
-void light_outside(const Receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& bordered_map,
-                   image_view<float> out, ParallelFor&& parallel) {
-    const float margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
-    const glm::vec2 last = map_size - margin, beyond = map_size + margin;
-    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 c, float receiver, glm::ivec2 pixel) {
-        if (c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) return;
-        const bool apart = c.x < -margin || c.y < -margin || c.x > beyond.x || c.y > beyond.y;
-        visibility = apart && !is_nan(receiver) ? 1.0f : filtered(filter, bordered_map, c, receiver, pixel);
-    });
-}
-
-/// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
-struct erased_fetch {
-    const void* fetch;
-    float (*call)(const void*, glm::ivec2);
-    float operator()(glm::ivec2 texel) const { return call(fetch, texel); }
-};
-template <class Fetch>
-[[nodiscard]] erased_fetch erase(const Fetch& fetch) {
-    return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
-}
-
 /// Refuses a filter and an encoding that take a map's depth to run opposite ways: one of them would see all in shadow.
 template <class Encoding, class Filter>
 void require_one_direction(const Encoding& encoding, const Filter& filter) {
@@ -148,8 +176,7 @@ void require_one_direction(const Encoding& encoding, const Filter& filter) {
 template <class Encoding, class Filter>
 [[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
     if constexpr (requires { filter.is_lit.direction; }) return cleared_depth(filter.is_lit.direction);
-    else if constexpr (requires { encoding.direction; }) return cleared_depth(encoding.direction);
-    else return 1.0f;
+    else return far_depth(encoding);
 }
 
 /// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
@@ -193,25 +220,23 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
     if (map.empty()) fail("umbrage::visibility: empty map");
     if (out.empty()) return;
-    const auto rows = [&](const auto& blocks) {
-        parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, out, first, last); });
-    };
-    const auto clamped_map = decoded(map, encoding);
-    const auto bordered_map = [&, cleared = far_depth(encoding, filter)](glm::ivec2 texel) {
-        const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
-        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : cleared;
-    };
+    const auto clamped_map = decoded(clamped(map), encoding);
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, far_depth(encoding, filter)};
     if constexpr (has_block_form<Filter>) {
         using form = block_form<Filter>;
+        const erased_fetch bordered = erase(bordered_map);
+        const bool has_border = outside == outside_map::bordered;
+        const map_edge<Filter> edge(filter, map.size, has_border ? &bordered : nullptr);
+        const auto rows = [&](const auto& blocks) {
+            parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
+        };
         const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (filter.is_lit.direction == depth_direction::forward)
                 form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
             else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
         });
-        if (!done) filter_each(receivers, filter, erase(clamped_map), out, parallel);
-        if (outside == outside_map::lit)
-            light_outside(receivers, glm::vec2(map.size), filter, erase(bordered_map), out, parallel);
-    } else if (outside == outside_map::lit) {
+        if (!done) filter_each(receivers, filter, has_border ? bordered : erase(clamped_map), out, parallel);
+    } else if (outside == outside_map::bordered) {
         filter_each(receivers, filter, bordered_map, out, parallel);
     } else {
         filter_each(receivers, filter, clamped_map, out, parallel);
@@ -227,12 +252,12 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 ///                    (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides, an ivec2
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
-/// @param outside     what counts outside the map
+/// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
 /// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
@@ -240,7 +265,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
@@ -248,7 +273,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 

@@ -3,12 +3,13 @@
 // What a map is to shaders: what its texels lie in, how they become depths, how they compare.
 //
 //     using namespace umbrage::glsl;
-//     const binding cascades{.texture = texture::array, .outside_lit = true};
+//     const binding cascades{.texture = texture::array};
 //     const binding packed = stored_as(umbrage::rg<11>{});
 //
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,7 @@ enum class texture { texture_2d, atlas, array, cube, cube_faces, integer, depth,
 struct binding {
     glsl::texture texture = glsl::texture::texture_2d;
     depth_direction direction = depth_direction::forward;
-    bool outside_lit = false;      ///< outside the map all is lit; else the nearest texel inside counts
+    std::optional<outside_map> outside{};  ///< none: bordered, but clamped for tiles, regions and faces of cubes
     bool gather = false;           ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
                                    ///< edge, but for regions
     std::string depth{};           ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x

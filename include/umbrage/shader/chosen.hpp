@@ -13,9 +13,12 @@
 namespace umbrage::glsl::detail {
 
 [[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
-/// Whether a map is all of its texture, edges and all.
-[[nodiscard]] inline bool is_whole(const binding& b) { return !has_region(b) && !b.outside_lit; }
 [[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
+/// Whether texels outside the map count as the far plane.
+[[nodiscard]] inline bool is_bordered(const binding& b) {
+    const bool tile = has_region(b) || is_cube(b.texture);
+    return b.outside.value_or(tile ? outside_map::clamped : outside_map::bordered) == outside_map::bordered;
+}
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
 
@@ -29,6 +32,8 @@ template <class = umbrage::detail::on_use>
         case hook::none:
         case hook::chosen: return s;
         case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
+        case hook::border_depth: return scaled ? hooks::scaled_border_depth : s;
+        case hook::map_covers: return is_bordered(b) ? hooks::bordered_covers : hooks::clamped_covers;
         case hook::beyond_far_plane:
             return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
         case hook::within_far_plane:
@@ -37,23 +42,26 @@ template <class = umbrage::detail::on_use>
         case hook::texel:
         case hook::fetch_depth:
             if (s.role == hook::texel) return hooks::texel;
-            return b.outside_lit ? hooks::bordered_depth : hooks::clamped_depth;
+            return is_bordered(b) ? hooks::bordered_depth : hooks::clamped_depth;
         case hook::lit:
             if (!compares(b.texture)) return s;
-            return b.outside_lit ? hooks::bordered_lit : hooks::clamped_lit;
+            return is_bordered(b) ? hooks::bordered_lit : hooks::clamped_lit;
         case hook::lit_2x2:
             if (!b.gather) return s;
-            if (b.outside_lit) return hooks::gathered_bordered;
+            if (is_bordered(b)) return has_region(b) ? hooks::gathered_bordered_region : hooks::gathered_bordered;
             return has_region(b) ? hooks::gathered_region : hooks::gathered;
         case hook::gather_lit:
             if (compares(b.texture)) return hooks::gather_compared;
             return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
         case hook::lit_filtered:
             if (!compares(b.texture)) return s;
-            return b.outside_lit ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
-        case hook::lit_at: return compares(b.texture) && is_whole(b) ? hooks::sampled_lit : s;
+            return is_bordered(b) ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
+        case hook::lit_at:
+            if (!compares(b.texture) || has_region(b)) return s;
+            return is_bordered(b) ? hooks::sampled_bordered_lit : hooks::sampled_lit;
         case hook::depth_at:
-            return b.gather && gathers(b.texture) && !compares(b.texture) && is_whole(b) ? hooks::sampled_depth : s;
+            if (!b.gather || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
+            return is_bordered(b) ? hooks::sampled_bordered_depth : hooks::sampled_depth;
     }
     return s;
 }

@@ -10,6 +10,83 @@
 
 namespace umbrage::glsl::hooks {
 
+inline constexpr snippet gathered{.name = "lit_2x2",
+                                  .summary = "lit_2x2, gathered",
+                                  .needs = list<&gather_compared>,
+                                  .role = hook::chosen,
+                                  .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_region{.name = "lit_2x2",
+                                         .summary = "lit_2x2, gathered in a region",
+                                         .needs = list<&gather_compared>,
+                                         .role = hook::chosen,
+                                         .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = clamp(texel, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec2 high = clamp(texel + 1.0, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = high.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    return vec4(bottom.x, bottom.y, top.x, top.y);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_bordered{.name = "lit_2x2",
+                                           .summary = "lit_2x2, gathered and bordered",
+                                           .needs = list<&gather_compared, &inside_map, &compare, &border_depth>,
+                                           .role = hook::chosen,
+                                           .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane, whatever the sampler has there
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? lit.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? lit.w : outside;
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_bordered_region{.name = "lit_2x2",
+                                                  .summary = "lit_2x2, gathered in a bordered region",
+                                                  .needs = list<&gather_compared, &inside_map, &compare, &border_depth>,
+                                                  .role = hook::chosen,
+                                                  .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane: the gather stays inside
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = texel - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? top.y : outside;
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
 // The sampler weighs: coordinates stay half a texel inside, so that what is beside the map has no weight.
 
 inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
@@ -35,7 +112,7 @@ inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
                                                .exactness = tier::c,
                                                .within = 1.0f / 128.0f,
-                                               .needs = list<&within_far_plane, &compare, &cleared_depth>,
+                                               .needs = list<&within_far_plane, &compare, &border_depth>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
@@ -48,12 +125,45 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 )GLSL"};
 
 // Where a map is all of its texture, uv over the map is what the sampler takes, and the sampler clamps to the edge.
+
+inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
+                                              .summary = "lit_at, sampled and bordered",
+                                              .exactness = tier::c,
+                                              .within = 1.0f / 128.0f,
+                                              .needs = list<&compare, &border_depth>,
+                                              .role = hook::chosen,
+                                              .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+)GLSL"};
+
+inline constexpr snippet sampled_bordered_depth{.name = "depth_at",
+                                                .summary = "depth_at, sampled and bordered",
+                                                .exactness = tier::c,
+                                                .operations = 4,
+                                                .needs = list<&decode, &border_depth>,
+                                                .role = hook::chosen,
+                                                .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
+}
+)GLSL"};
 
 inline constexpr snippet sampled_lit{.name = "lit_at",
                                      .summary = "lit_at, sampled",
@@ -85,10 +195,11 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 
 /// Every one of them, for printers and packages.
 inline constexpr const auto& all =
-    list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
-         &forward_before_far, &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode,
-         &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,
-         &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
-         &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_depth>;
+    list<&forward_cleared_depth, &reversed_cleared_depth, &border_depth, &scaled_border_depth, &bordered_covers,
+         &clamped_covers, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far, &forward_before_far,
+         &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth,
+         &lit_texel, &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels,
+         &gathered, &gathered_region, &gathered_bordered, &gathered_bordered_region, &clamped_lit_filtered,
+         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace umbrage::glsl::hooks

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The hooks of hooks.hpp that say what a map's depths mean, and those that take its texels as they are, one or four.
+// The hooks of hooks.hpp that say what a map's depths mean, and those that take its texels as they are.
 //
 #pragma once
 
@@ -21,6 +21,41 @@ inline constexpr snippet reversed_cleared_depth{
 // umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
     return 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet border_depth{.name = "border_depth",
+                                      .summary = "border_depth, a depth",
+                                      .needs = list<&cleared_depth>,
+                                      .role = hook::border_depth,
+                                      .source = R"GLSL(
+// umbrage_border_depth: what texels outside the map count as, the far plane
+UMBRAGE_HIGHP float umbrage_border_depth() {
+    return umbrage_cleared_depth();
+}
+)GLSL"};
+
+inline constexpr snippet scaled_border_depth{
+    .name = "border_depth", .summary = "border_depth, scaled", .role = hook::chosen, .source = R"GLSL(
+// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
+UMBRAGE_HIGHP float umbrage_border_depth() {
+    return 65536.0;
+}
+)GLSL"};
+
+inline constexpr snippet bordered_covers{
+    .name = "map_covers", .summary = "map_covers, bordered", .role = hook::chosen, .source = R"GLSL(
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+)GLSL"};
+
+inline constexpr snippet clamped_covers{
+    .name = "map_covers", .summary = "map_covers, clamped", .role = hook::chosen, .source = R"GLSL(
+// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    return true;
 }
 )GLSL"};
 
@@ -108,13 +143,14 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 
 inline constexpr snippet bordered_depth{.name = "fetch_depth",
                                         .summary = "fetch_depth, bordered",
-                                        .needs = list<&fetch_clamped, &decode, &inside_map, &cleared_depth>,
+                                        .needs = list<&umbrage::glsl::texel, &decode, &border_depth>,
                                         .role = hook::chosen,
                                         .source = R"GLSL(
 // umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_texel(map, size, inside));
+    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
 }
 )GLSL"};
 
@@ -139,14 +175,16 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet bordered_lit{.name = "lit",
                                       .summary = "lit, bordered",
-                                      .needs = list<&lit_texel, &inside_map, &compare, &cleared_depth>,
+                                      .needs = list<&lit_texel, &compare, &border_depth>,
                                       .role = hook::chosen,
                                       .source = R"GLSL(
 // umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
-    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 )GLSL"};
 
@@ -197,64 +235,6 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
     UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, g.z, 0.0, 0.0)));
     UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, g.x, 0.0, 0.0)));
     UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, g.y, 0.0, 0.0)));
-    return vec4(a, b, c, d);
-}
-)GLSL"};
-
-inline constexpr snippet gathered{.name = "lit_2x2",
-                                  .summary = "lit_2x2, gathered",
-                                  .needs = list<&gather_compared>,
-                                  .role = hook::chosen,
-                                  .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    return umbrage_gather_lit(map, size, texel, receiver);
-}
-)GLSL"};
-
-inline constexpr snippet gathered_region{.name = "lit_2x2",
-                                         .summary = "lit_2x2, gathered in a region",
-                                         .needs = list<&gather_compared>,
-                                         .role = hook::chosen,
-                                         .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
-    UMBRAGE_HIGHP vec2 low = clamp(texel, vec2(0.0, 0.0), size - 1.0) - first;
-    UMBRAGE_HIGHP vec2 high = clamp(texel + 1.0, vec2(0.0, 0.0), size - 1.0) - first;
-    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
-    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
-    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
-    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
-    UMBRAGE_HIGHP vec2 top = high.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
-    return vec4(bottom.x, bottom.y, top.x, top.y);
-}
-)GLSL"};
-
-inline constexpr snippet gathered_bordered{.name = "lit_2x2",
-                                           .summary = "lit_2x2, gathered and bordered",
-                                           .needs = list<&gather_compared, &inside_map, &compare, &cleared_depth>,
-                                           .role = hook::chosen,
-                                           .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the far plane: the gather stays inside
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
-    UMBRAGE_HIGHP vec2 low = texel - first;
-    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
-    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
-    UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
-    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
-    UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
-    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
-    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
-    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? top.y : outside;
     return vec4(a, b, c, d);
 }
 )GLSL"};

@@ -33,7 +33,8 @@ GLuint stage(GLenum kind, const std::string& text) {
 
 GLuint program(const std::vector<umbrage::glsl::snippet>& snippets, const std::string& arguments, bool packed) {
     using namespace umbrage;
-    const glsl::binding map = packed ? glsl::stored_as(rg<11>{.edge = lower_edge<float>}) : glsl::binding();
+    const glsl::binding clamped{.outside = outside_map::clamped};
+    const glsl::binding map = packed ? glsl::stored_as(rg<11>{.edge = lower_edge<float>}, clamped) : clamped;
     std::vector<glsl::bound> bound;
     for (const glsl::snippet& s : snippets) bound.push_back(bind(s, "", map));
     const std::string filter = "umbrage_" + std::string(snippets.front().name);

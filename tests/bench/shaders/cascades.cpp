@@ -39,7 +39,8 @@ layout(binding = 3) uniform sampler2DArray maps;
             lights,
             {glsl::shadow_coordinate, glsl::project_coordinate, glsl::cascade_by_depth, glsl::cascade_column,
              glsl::cascade_coordinate, glsl::cascade_by_projection, glsl::cascade_tile, glsl::page_coordinate,
-             glsl::pcf_2x2, bind(glsl::pcf_2x2, "layer", {.texture = glsl::texture::array}),
+             glsl::pcf_2x2,
+             bind(glsl::pcf_2x2, "layer", {.texture = glsl::texture::array, .outside = umbrage::outside_map::clamped}),
              bind(glsl::pcf_2x2, "tile", {.texture = glsl::texture::atlas})},
             "vec4(0.0); " + type + " at = " + coordinate + "; result = vec4(umbrage_pcf_2x2" + where + in_map + "))"};
     };

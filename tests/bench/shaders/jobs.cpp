@@ -40,11 +40,13 @@ std::vector<job> jobs(const std::string& folder) {
         "#define textureShadow(name, at) texture(name, at)\n#define saturate(v) clamp(v, 0.0, 1.0)\n" +
         text("playcanvas_shadow");
 
-    // A packed map to a filter of ours.
+    // A packed map to a filter of ours. What a border costs is a job of its own.
+    constexpr auto clamped = umbrage::outside_map::clamped;
     const auto read_by = [](std::string depth, int channels, std::vector<snippet> needs = {}) {
-        return glsl::binding{.depth = std::move(depth), .channels = channels, .needs = std::move(needs)};
+        return glsl::binding{
+            .outside = clamped, .depth = std::move(depth), .channels = channels, .needs = std::move(needs)};
     };
-    const glsl::binding rg11 = glsl::stored_as(umbrage::rg<11>{});
+    const glsl::binding rg11 = glsl::stored_as(umbrage::rg<11>{}, {.outside = clamped});
     const glsl::binding level = read_by("umbrage_level_rg11(value.xy)", 2, {glsl::level_rg<11>});
     const glsl::binding ps14 = read_by("umbrage_decode_ps14(value.xy)", 2, {glsl::decode_ps14});
     const glsl::binding threejs_rg = read_by("unpackRGToDepth(value.xy)", 2);
@@ -56,8 +58,9 @@ std::vector<job> jobs(const std::string& folder) {
         return std::vector<glsl::bound>{glsl::receiver_rg<11>, filter(of, level)};
     };
     const std::string pcf = "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, x1.z))";
-    const glsl::binding depths_at_once{.gather = true}, sampled{.texture = glsl::texture::shadow},
-        comparisons_at_once{.texture = glsl::texture::shadow, .gather = true};
+    const glsl::binding plain{.outside = clamped}, depths_at_once{.outside = clamped, .gather = true},
+        sampled{.texture = glsl::texture::shadow, .outside = clamped},
+        comparisons_at_once{.texture = glsl::texture::shadow, .outside = clamped, .gather = true};
     // A filter bound to a map of some kind.
     const auto row = [&](const std::string& name, const snippet& of, const glsl::binding& map,
                          const std::string& numbers = "") {
@@ -230,7 +233,7 @@ std::vector<job> jobs(const std::string& folder) {
          {{us, "box, r = 1, rg11 by level", "", by_level(glsl::box),
            "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 1))"},
           {us, "box, r = 1, rg11", "", {filter(glsl::box, rg11)}, "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 1))"},
-          row("tent3", glsl::tent<3>, {}),
+          row("tent3", glsl::tent<3>, plain),
           row("tent3, 4 gathers", glsl::tent<3>, depths_at_once),
           row("tent3, 4 gathers of comparisons", glsl::tent<3>, comparisons_at_once),
           row("window_hardware3, 4 look-ups", glsl::window_hardware<3>, sampled, ", 1.0, 2.0"),
@@ -256,7 +259,7 @@ std::vector<job> jobs(const std::string& folder) {
          {{us, "box, r = 2, rg11 by level", "", by_level(glsl::box),
            "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 2))"},
           {us, "box, r = 2, rg11", "", {filter(glsl::box, rg11)}, "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 2))"},
-          row("castano_dyadic5", glsl::castano_dyadic<5>, {}),
+          row("castano_dyadic5", glsl::castano_dyadic<5>, plain),
           row("castano_dyadic5, 9 gathers", glsl::castano_dyadic<5>, depths_at_once),
           row("castano_dyadic5, 9 gathers of comparisons", glsl::castano_dyadic<5>, comparisons_at_once),
           row("window_hardware5, 9 look-ups", glsl::window_hardware<5>, sampled, ", 1.0, 3.0, 4.0"),

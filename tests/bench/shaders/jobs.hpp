@@ -37,6 +37,9 @@ struct job {
 /// @param folder   as of jobs()
 [[nodiscard]] std::vector<job> soft(const std::string& folder);
 
+/// What a border costs each filter.
+[[nodiscard]] job outside();
+
 /// Every snippet of the registry, called as the parity tests call it.
 [[nodiscard]] job registry();
 

@@ -61,7 +61,8 @@ void main() {
 }
 
 bench::spirv fragment(const shader& s) {
-    return compile(glsl::source(glsl::version::vulkan, s.snippets, s.preamble) + inputs("in") + R"GLSL(
+    return compile(glsl::source(glsl::version::vulkan, s.snippets, "#define UMBRAGE_CLAMPED\n" + s.preamble) +
+                       inputs("in") + R"GLSL(
 layout(binding = 0) uniform sampler2D map;
 layout(binding = 1) uniform sampler2D table;
 layout(binding = 2) uniform sampler2DShadow depth_map;
@@ -134,6 +135,7 @@ int main(int argc, char** argv) try {
 
     std::vector<job> all = bench::jobs(argv[1]);
     for (job& j : bench::soft(argv[1])) all.push_back(std::move(j));
+    all.push_back(bench::outside());
     all.push_back(bench::registry());
     table out(argv[2], columns);
     const bench::spirv corners = vertex();

@@ -28,7 +28,9 @@ float umbrage_pcss_hardware(sampler2D depths, sampler2DShadow sun, vec2 size, ve
 )GLSL"};
 
 std::vector<glsl::bound> pcss_hardware_items() {
-    const glsl::binding depths{.texture = glsl::texture::depth, .gather = true}, sun{.texture = glsl::texture::shadow};
+    const glsl::binding depths{
+        .texture = glsl::texture::depth, .outside = umbrage::outside_map::clamped, .gather = true},
+        sun{.texture = glsl::texture::shadow, .outside = umbrage::outside_map::clamped};
     return {bind(glsl::blockers_hardware<16>, "depths", depths),
             bind(glsl::disc_hardware<16>, "sun", sun),
             bind(glsl::in_filter_domain, "sun", sun),

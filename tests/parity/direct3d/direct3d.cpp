@@ -31,10 +31,10 @@ std::vector<std::string> shaders() {
     for (const auto kind :
          {texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array})
         for (const bool gather : {false, true})
-            for (const bool outside_lit : {false, true}) {
+            for (const auto outside : {umbrage::outside_map::bordered, umbrage::outside_map::clamped}) {
                 if (gather && !umbrage::glsl::detail::gathers(kind)) continue;
                 const umbrage::glsl::binding map{.texture = kind,
-                                                 .outside_lit = outside_lit,
+                                                 .outside = outside,
                                                  .gather = gather,
                                                  .origin = "float2(64.0, 0.0)",
                                                  .texture_size = "float2(128.0, 64.0)"};

@@ -41,8 +41,9 @@ template <class Twin>
                                  const umbrage::glsl::binding& as, Twin twin) {
     entry e = filter(s, arguments, [as, twin](const sample& x) {
         const umbrage::comparison is_lit{as.direction};
-        return vec4(as.outside_lit ? twin(x.bordered_depth(umbrage::cleared_depth(as.direction)), x, is_lit)
-                                   : twin(x.depth(), x, is_lit));
+        return vec4(umbrage::glsl::detail::is_bordered(as)
+                        ? twin(x.bordered_depth(umbrage::cleared_depth(as.direction)), x, is_lit)
+                        : twin(x.depth(), x, is_lit));
     });
     e.variant = variant;
     e.maps = plain_maps({{64, 64}, {37, 21}, {3, 2}, {1, 1}});
@@ -71,7 +72,7 @@ template <class Twin>
             .call = "vec4(umbrage_hard(map, map_size, vec2(x0.x, x0.y), " + of_depth + "))",
             .maps = packed_maps(),
             .also = {&umbrage::glsl::hard, &receiver},
-            .map_kind = {.depth = of_value, .channels = 2, .needs = {level}}};
+            .map_kind = {.outside = umbrage::outside_map::clamped, .depth = of_value, .channels = 2, .needs = {level}}};
 }
 
 }  // namespace parity

@@ -106,10 +106,10 @@ struct suite : raster_suite {
                                 x.view()[t] = from[t].x, y.view()[t] = from[t].y, depth.view()[t] = from[t].z;
                             }
                         const receiver_planes planes{x.view(), y.view(), depth.view()};
-                        return visibility(map.view(), encoding, planes, filter, out, parallel);
+                        return visibility(map.view(), encoding, planes, filter, out, parallel, outside_map::clamped);
                     }
                 const laid_out<glm::vec3> in(from, parallel.count % 3);
-                visibility(map.view(), encoding, in.view(), filter, out, parallel);
+                visibility(map.view(), encoding, in.view(), filter, out, parallel, outside_map::clamped);
             },
             box || hierarchical ? agree::in_a_mode : agree::everywhere);
     }

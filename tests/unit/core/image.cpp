@@ -147,3 +147,13 @@ TEST_CASE("fetch_bordered: outside is the border, and an empty map is all border
     CHECK(bordered(image<float>({1, 1}), 1)({2, 1}) == 1.0f);
     CHECK(bordered(image<int>(), -7)({0, 0}) == -7);
 }
+
+TEST_CASE("bordered: depths without a border are lit outside by default") {
+    const image<float> map({2, 1}, 0.25f);
+    CHECK(bordered(map)({1, 0}) == 0.25f);
+    for (const glm::ivec2 outside : {glm::ivec2(-1, 0), glm::ivec2(2, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
+        CHECK(bordered(map)(outside) == 1.0f);
+        CHECK(bordered(map.view())(outside) == 1.0f);
+        CHECK(bordered(image<double>({2, 1}, 0.25))(outside) == 1.0);
+    }
+}

@@ -77,19 +77,58 @@ TEST_CASE("decoded: a packed map filters as the map of its decoded depths") {
             const glm::vec2 c(coordinate(random), coordinate(random));
             // a reader of tier B may be fused in one place and not in another: then a tie goes either way
             const float receiver = i % 3 || ties_differ ? depth(random) : plain[{i % size.x, i % size.y}];
-            CHECK(hard(decoded(packed, encoding), c, receiver) == hard(clamped(plain), c, receiver));
-            CHECK(pcf_2x2(decoded(packed.view(), encoding), c, receiver) == pcf_2x2(clamped(plain), c, receiver));
-            CHECK(box(decoded(packed, encoding), c, receiver, 2) == box(clamped(plain), c, receiver, 2));
+            CHECK(hard(decoded(packed, encoding), c, receiver) == hard(bordered(plain), c, receiver));
+            CHECK(pcf_2x2(decoded(packed.view(), encoding), c, receiver) == pcf_2x2(bordered(plain), c, receiver));
+            CHECK(box(decoded(packed, encoding), c, receiver, 2) == box(bordered(plain), c, receiver, 2));
+            const float at_edge = box(clamped(plain), c, receiver, 2);
+            CHECK(box(decoded(clamped(packed), encoding), c, receiver, 2) == at_edge);
+            CHECK(box(clamped(decoded(packed, encoding)), c, receiver, 2) == at_edge);
         }
     };
     for_each_encoding(check);
     check(rg<11>{.edge = lower_edge<float>});
     for_each_encoding([&](auto encoding) {
         const image<typename decltype(encoding)::texel> dark({1, 1}, encoding.encode(0.25f));
-        CHECK(hard(decoded(dark, encoding), glm::vec2(-1), 0.5f) == 0.0f);
-        CHECK(hard(decoded(bordered(dark, encoding.cleared()), encoding), glm::vec2(-1), 0.5f) == 1.0f);
+        CHECK(hard(decoded(clamped(dark), encoding), glm::vec2(-1), 0.5f) == 0.0f);
+        CHECK(hard(clamped(decoded(dark, encoding)), glm::vec2(-1), 0.5f) == 0.0f);
+        CHECK(hard(decoded(dark, encoding), glm::vec2(-1), 0.5f) == 1.0f);
     });
-    CHECK_THROWS_AS((void)decoded(image<glm::u8vec2>(), rg<11>{}), std::invalid_argument);
+    CHECK(decoded(image<glm::u8vec2>(), rg<11>{})({0, 0}) == 1.0f);  // an empty map is all border
+    CHECK_THROWS_AS((void)clamped(decoded(image<glm::u8vec2>(), rg<11>{})), std::invalid_argument);
+}
+
+TEST_CASE("decoded, bordered: in either order, texels outside are the far plane, whichever way depth runs") {
+    for_each_encoding([&]<class Encoding>(Encoding encoding) {
+        for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
+            encoding = {.direction = direction};
+            image<typename Encoding::texel> map({3, 2}, encoding.encode(0.25f));
+            map[{1, 1}] = encoding.encode(0.75f);
+            CAPTURE(Encoding::name);
+            for (int y = -2; y < 4; ++y)
+                for (int x = -2; x < 5; ++x) {
+                    const glm::ivec2 texel(x, y);
+                    const float wanted =
+                        inside_map(map.size(), texel) ? encoding.decode(map[texel]) : cleared_depth(direction);
+                    CHECK(bordered(decoded(map, encoding))(texel) == wanted);
+                    CHECK(decoded(map, encoding)(texel) == wanted);
+                    CHECK(decoded(map.view(), encoding)(texel) == wanted);
+                    CHECK(decoded(bordered(map, encoding.cleared()), encoding)(texel) == wanted);
+                    if constexpr (!std::is_floating_point_v<typename Encoding::texel>)
+                        CHECK(decoded(bordered(map), encoding)(texel) == wanted);
+                }
+        }
+    });
+}
+
+TEST_CASE_TEMPLATE("map_covers: from the first texel's edge to the last one's", T, float, double) {
+    using vec = glm::vec<2, T>;
+    const vec size(3, 2);
+    CHECK(map_covers(size, vec(0, 0)));
+    CHECK(map_covers(size, vec(2.75, 1.75)));
+    for (const vec outside : {vec(3, 1), vec(1, 2), vec(-0.125, 1), vec(1, -0.125), vec(400, 1)}) {
+        CHECK_FALSE(map_covers(size, outside));
+        CHECK(map_covers(size, outside, outside_map::clamped));
+    }
 }
 
 TEST_CASE("decoded: with the upper edge no surface shadows itself, with the lower edge it does") {

@@ -39,13 +39,13 @@ struct answers {
 };
 
 template <class Filter>
-answers ask(const image<float>& map, Filter filter, depth_direction direction, bool outside_lit) {
+answers ask(const image<float>& map, Filter filter, depth_direction direction, outside_map outside) {
     filter.is_lit = {direction};
     const float far = cleared_depth(direction);
-    const auto made = outside_lit ? make_filter_bounds(map.view(), filter.reach(), far)
-                                  : make_filter_bounds(map.view(), filter.reach());
+    const auto made = make_filter_bounds(map.view(), filter.reach(), direction, serial{}, outside);
     const auto fetch = [&](glm::ivec2 texel) {
-        return outside_lit ? fetch_bordered(map.view(), texel, far) : fetch_clamped(map.view(), texel);
+        return outside == outside_map::bordered ? fetch_bordered(map.view(), texel, far)
+                                                : fetch_clamped(map.view(), texel);
     };
     std::mt19937 random(11);
     answers found;
@@ -80,9 +80,9 @@ TEST_CASE("bounds_lit: where bounds suffice every filter gives the same, NaN in 
     disc.radius_texels = 5.3f;
     const auto check = [&](const auto& filter) {
         for (const auto direction : {depth_direction::forward, depth_direction::reversed})
-            for (const bool outside_lit : {false, true}) {
-                const answers of_any = ask(any, filter, direction, outside_lit),
-                              of_shapes = ask(shapes, filter, direction, outside_lit);
+            for (const auto outside : {outside_map::bordered, outside_map::clamped}) {
+                const answers of_any = ask(any, filter, direction, outside),
+                              of_shapes = ask(shapes, filter, direction, outside);
                 CAPTURE(filter.reach());
                 CHECK(of_any.wrong == 0);
                 CHECK(of_shapes.wrong == 0);

@@ -36,7 +36,8 @@ TEST_CASE("filter_bounds: hold every texel within reach, and none farther off th
     for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(7, 5), glm::ivec2(90, 33)})
         for (const float reach : {0.5f, 2.0f, 4.0f, 8.5f, 14.6337f}) {
             image<float> map = random_map(random, size, 1024);
-            const auto [bounds, place] = make_filter_bounds(map.view(), reach);
+            const auto [bounds, place] =
+                make_filter_bounds(map.view(), reach, depth_direction::forward, serial{}, outside_map::clamped);
             const int squares = static_cast<int>(1.0f / (place.y * 256.0f));
             int outside = 0, loose = 0;
             for (int i = 0; i < 200; ++i) {
@@ -61,12 +62,14 @@ TEST_CASE("filter_bounds: NaN, borders, and what is refused") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     image<float> map({16, 16}, 0.5f);
     map[{15, 15}] = nan;
-    const filter_bounds some = make_filter_bounds(map.view(), 1.0f);
+    const filter_bounds some =
+        make_filter_bounds(map.view(), 1.0f, depth_direction::forward, serial{}, outside_map::clamped);
     CHECK(some.bounds.view().row(0)[0] == glm::vec2(0.5f));
     const glm::ivec2 last = some.bounds.size() - 1;
     CHECK(std::isnan(some.bounds.view().row(last.y)[last.x].x));
     CHECK(some.bounds.view().row(last.y)[last.x].y == 0.5f);
-    CHECK(make_filter_bounds(map.view(), 1.0f, 1.0f).bounds.view().row(0)[0].y == 1.0f);
+    CHECK(make_filter_bounds(map.view(), 1.0f).bounds.view().row(0)[0].y == 1.0f);
+    CHECK(make_filter_bounds(map.view(), 1.0f, depth_direction::reversed).bounds.view().row(0)[0].x == 0.0f);
     CHECK_THROWS_AS((void)make_filter_bounds(image_view<const float>{}, 1.0f), std::invalid_argument);
     CHECK_THROWS_AS((void)make_filter_bounds(map.view(), -1.0f), std::invalid_argument);
     CHECK_THROWS_AS((void)make_filter_bounds(map.view(), nan), std::invalid_argument);

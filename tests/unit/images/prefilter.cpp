@@ -60,16 +60,20 @@ TEST_CASE("prefilter: encoded, blurred, looked up, bit for bit as texel by texel
             for (std::size_t i = 0; i < depth.texels().size(); ++i)
                 wrong += moments.texels()[i] != filter.encode(depth.texels()[i]);
             blur(moments, blurred, make_binomial_kernel<5>());
-            image<float> lit(receivers.size()), again(receivers.size());
+            image<float> lit(receivers.size()), again(receivers.size()), at_edge(receivers.size());
             look_up(std::as_const(blurred).view(), std::as_const(receivers).view(), filter, lit.view());
+            look_up(std::as_const(blurred).view(), std::as_const(receivers).view(), filter, at_edge.view(), serial{},
+                    outside_map::clamped);
             look_up(std::as_const(blurred).view(), std::as_const(receivers).view(), filter, again.view(),
                     rows_from_last{});
             CHECK(same(lit, again));
             for (std::size_t i = 0; i < lit.texels().size(); ++i) {
                 const glm::vec3 r = receivers.texels()[i];
                 const bool compared = in_filter_domain(glm::vec2(r), r.z, comparison{direction});
-                wrong += lit.texels()[i] !=
-                         (compared ? filter.decode(fetch_bilinear(clamped(blurred), glm::vec2(r)), r.z) : 1.0f);
+                const float there =
+                    compared ? filter.decode(fetch_bilinear(clamped(blurred), glm::vec2(r)), r.z) : 1.0f;
+                wrong += at_edge.texels()[i] != there;
+                wrong += lit.texels()[i] != (map_covers(glm::vec2(depth.size()), glm::vec2(r)) ? there : 1.0f);
             }
             if (!may_fuse) CHECK(wrong == 0);  // fused, tier B has only its bounds: tests of each filter hold those
         }

@@ -94,16 +94,22 @@ TEST_CASE("summed_visibility: the primitive for each receiver") {
         for (int y = 0; y < 60; ++y)
             for (int x = 0; x < 80; ++x)
                 receivers[{x, y}] = {float(x) * 1.3f - 5.0f, float(y) * 1.3f - 5.0f, 0.2f + float(x + y) / 200.0f};
-        image<float> out(receivers.size());
+        image<float> out(receivers.size()), at_edge(receivers.size());
         summed_visibility(table.view(), of, receivers.view(), 9, out.view(), last_piece_first{5});
-        int wrong = 0;
+        summed_visibility(table.view(), of, receivers.view(), 9, at_edge.view(), serial{}, outside_map::clamped);
+        int wrong = 0, outside = 0;
         for (int y = 0; y < 60; ++y)
             for (int x = 0; x < 80; ++x) {
                 const glm::vec3 r = receivers[{x, y}];
-                wrong += out[{x, y}] != summed_variance([&](glm::ivec2 t) { return glm::vec4(table[t]); }, map.size(),
-                                                        glm::vec2(r), r.z, 9.0f, 1024.0f, of.is_lit);
+                const bool inside = map_covers(glm::vec2(map.size()), glm::vec2(r));
+                const float wanted = summed_variance([&](glm::ivec2 t) { return glm::vec4(table[t]); }, map.size(),
+                                                     glm::vec2(r), r.z, 9.0f, 1024.0f, of.is_lit, outside_map::clamped);
+                wrong += at_edge[{x, y}] != wanted;
+                wrong += out[{x, y}] != (inside ? wanted : 1.0f);
+                outside += !inside && wanted < 1.0f;
             }
         CHECK(wrong == 0);
+        CHECK(outside > 100);
         const auto with_radius = [&](int radius) {
             summed_visibility(table.view(), of, receivers.view(), radius, out.view());
         };

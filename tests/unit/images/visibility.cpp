@@ -72,18 +72,25 @@ int differing(Encoding encoding, glm::ivec2 of_map, glm::ivec2 size, Filter filt
     std::mt19937 random(seed);
     const auto map = packed_map(encoding, of_map, random);
     const auto receivers = receivers_for(of_map, size, random);
-    const auto fetch = [&](glm::ivec2 t) {
+    const auto clamped_fetch = [&](glm::ivec2 t) {
         t = {t.x < 0 ? 0 : std::min(t.x, of_map.x - 1), t.y < 0 ? 0 : std::min(t.y, of_map.y - 1)};
         return encoding.decode(map[t]);
     };
-    image<float> out(size, -7.0f);
-    visibility(map.view(), encoding, receivers.view(), filter, out.view());
+    const auto bordered_fetch = [&](glm::ivec2 t) {
+        return t.x >= 0 && t.y >= 0 && t.x < of_map.x && t.y < of_map.y ? encoding.decode(map[t]) : 1.0f;
+    };
+    image<float> by_default(size, -7.0f), at_edge(size, -7.0f);
+    visibility(map.view(), encoding, receivers.view(), filter, by_default.view());
+    visibility(map.view(), encoding, receivers.view(), filter, at_edge.view(), serial{}, outside_map::clamped);
     int differ = 0;
+    const auto compare = [&](float expected, float got) {
+        differ += std::bit_cast<std::uint32_t>(got) != std::bit_cast<std::uint32_t>(expected);
+    };
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
             const glm::vec3 r = receivers[{x, y}];
-            const float expected = primitive(fetch, glm::vec2(r), r.z), got = out[{x, y}];
-            differ += std::bit_cast<std::uint32_t>(got) != std::bit_cast<std::uint32_t>(expected);
+            compare(primitive(bordered_fetch, glm::vec2(r), r.z), by_default[{x, y}]);
+            compare(primitive(clamped_fetch, glm::vec2(r), r.z), at_edge[{x, y}]);
         }
     return differ;
 }
@@ -160,6 +167,8 @@ TEST_CASE("visibility: by hand") {
     CHECK(out[{1, 0}] == 0.5f);
     CHECK(out[{2, 0}] == 1.0f);
     visibility(map.view(), depth32f{}, receivers.view(), filters::box{1}, out.view());
+    CHECK(out[{1, 0}] == 6.0f * (1.0f / 9.0f));  // the lit texel, and those outside the map
+    visibility(map.view(), depth32f{}, receivers.view(), filters::box{1}, out.view(), serial{}, outside_map::clamped);
     CHECK(out[{1, 0}] == 4.0f * (1.0f / 9.0f));  // the lit texel, and the copies of it outside the map
 }
 

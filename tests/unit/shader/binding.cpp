@@ -15,9 +15,9 @@ using namespace umbrage::glsl;
 TEST_CASE("stored_as: a texel of any encoding becomes the depth that its reader gives") {
     for_each_encoding([]<class Encoding>(const Encoding& encoding) {
         CAPTURE(Encoding::name);
-        const binding map = stored_as(encoding, {.texture = texture::array, .outside_lit = true});
+        const binding map = stored_as(encoding, {.texture = texture::array, .outside = outside_map::clamped});
         CHECK(map.texture == texture::array);
-        CHECK(map.outside_lit);
+        CHECK(map.outside == outside_map::clamped);
         CHECK(map.direction == encoding.direction);
         const snippet* reader = Encoding::reader;
         CHECK(map.depth.empty() == (reader == nullptr));

@@ -44,7 +44,7 @@ TEST_CASE("a map's functions carry its name and take what its texture is called 
           "UMBRAGE_HIGHP vec4 umbrage_texel_sun(UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer,\n"
           "                                     UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {\n"
           "    return texelFetch(map, ivec3(ivec2(texel), int(layer)), 0);\n}\n");
-    CHECK(function(text, "umbrage_fetch_clamped_sun").find("umbrage_texel_sun(map, layer, size, clamp(") !=
+    CHECK(function(text, "umbrage_fetch_depth_sun").find("umbrage_texel_sun(map, layer, size, inside)") !=
           std::string::npos);
     CHECK(function(text, "umbrage_compare_sun").find("receiver >= stored") != std::string::npos);
     CHECK(text.find("#define UMBRAGE_HAS_HARD_SUN\n") != std::string::npos);
@@ -199,10 +199,10 @@ TEST_CASE("every filter and every kind of texture make a text without a word lef
     for (const texture kind :
          {texture::texture_2d, texture::atlas, texture::array, texture::cube, texture::cube_faces, texture::integer,
           texture::depth, texture::depth_array, texture::shadow, texture::shadow_array})
-        for (const bool lit : {false, true})
+        for (const auto outside : {umbrage::outside_map::bordered, umbrage::outside_map::clamped})
             for (const bool gather : {false, true}) {
                 if (gather && !glsl::detail::gathers(kind)) continue;
-                const binding map{.texture = kind, .outside_lit = lit, .gather = gather};
+                const binding map{.texture = kind, .outside = outside, .gather = gather};
                 for (const snippet& s :
                      {glsl::hard, glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_hardware, glsl::window_hardware<3>}) {
                     const std::string text = glsl::text({bind(s, "a", map)});

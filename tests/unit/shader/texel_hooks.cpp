@@ -10,13 +10,14 @@ using umbrage::glsl::detail::chosen;
 using namespace umbrage::glsl;
 
 TEST_CASE("a map's texels choose by direction, by what is outside, and by who compares") {
-    const binding ordinary, reversed{.direction = umbrage::depth_direction::reversed}, lit_outside{.outside_lit = true},
-        shadow{.texture = texture::shadow}, lit_shadow{.texture = texture::shadow, .outside_lit = true};
+    const binding ordinary, reversed{.direction = umbrage::depth_direction::reversed},
+        clamped{.outside = umbrage::outside_map::clamped}, shadow{.texture = texture::shadow},
+        clamped_shadow{.texture = texture::shadow, .outside = umbrage::outside_map::clamped};
     CHECK(&chosen(glsl::compare, ordinary) == &hooks::forward_compare);
     CHECK(&chosen(glsl::compare, reversed) == &hooks::reversed_compare);
-    CHECK(&chosen(glsl::fetch_depth, ordinary) == &hooks::clamped_depth);
-    CHECK(&chosen(glsl::fetch_depth, lit_outside) == &hooks::bordered_depth);
+    CHECK(&chosen(glsl::fetch_depth, ordinary) == &hooks::bordered_depth);
+    CHECK(&chosen(glsl::fetch_depth, clamped) == &hooks::clamped_depth);
     CHECK(&chosen(glsl::lit, ordinary) == &glsl::lit);
-    CHECK(&chosen(glsl::lit, shadow) == &hooks::clamped_lit);
-    CHECK(&chosen(glsl::lit, lit_shadow) == &hooks::bordered_lit);
+    CHECK(&chosen(glsl::lit, shadow) == &hooks::bordered_lit);
+    CHECK(&chosen(glsl::lit, clamped_shadow) == &hooks::clamped_lit);
 }

@@ -3,7 +3,7 @@
 // Contact hardening without a second look: one disc counts the blockers, and its share is steepened to the penumbra's
 // width. Half the texels of pcss, and softer than it where a penumbra is much narrower than the light.
 //
-//     float visibility = umbrage::dpcf<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//     float visibility = umbrage::dpcf<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
 #pragma once

@@ -4,7 +4,7 @@
 //
 //     glm::vec2 units = umbrage::make_light_units(light, map.size());
 //     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
-//     float visibility = umbrage::pcss<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//     float visibility = umbrage::pcss<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
 // A disc as wide as the light, seen from the receiver, is searched for blockers; their mean distance gives the

@@ -3,7 +3,7 @@
 // Percentage-closer soft shadows as the textbook has them, in floats and by samplers: for half the instructions of
 // pcss.hpp, which has the same bits everywhere.
 //
-//     float visibility = umbrage::pcss_hardware<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//     float visibility = umbrage::pcss_hardware<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                                   umbrage::disc_rotation(pixel));
 //
 // A shader binds one texture twice: to a sampler of the nearest texel, from which the search reads depths

@@ -2,7 +2,7 @@
 //
 // Percentage-closer filtering with a (2r+1) x (2r+1) box of equal weights.
 //
-//     float visibility = umbrage::box(umbrage::clamped(map), coord, depth - bias, 2);  // 5 x 5
+//     float visibility = umbrage::box(umbrage::bordered(map), coord, depth - bias, 2);  // 5 x 5
 //
 #pragma once
 

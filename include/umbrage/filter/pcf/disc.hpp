@@ -3,7 +3,7 @@
 // Percentage-closer filtering over a disc: 8, 16 or 32 points, turned from pixel to pixel so that no pattern shows.
 //
 //     float visibility =
-//         umbrage::disc<16>(umbrage::clamped(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
+//         umbrage::disc<16>(umbrage::bordered(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
 //
 // Points, turns and radii are whole numbers, so that taps fall on the same texels everywhere. The points were annealed
 // for the least error on edges of any direction, alone and over four quarter turns.

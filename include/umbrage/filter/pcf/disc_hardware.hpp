@@ -2,7 +2,7 @@
 //
 // A disc by the sampler: each point is a look-up that compares four texels and weighs them.
 //
-//     float visibility = umbrage::disc_hardware<16>(umbrage::clamped(map), coord, depth - bias, 3.0f,
+//     float visibility = umbrage::disc_hardware<16>(umbrage::bordered(map), coord, depth - bias, 3.0f,
 //                                                   umbrage::disc_rotation(pixel));
 //
 // Maps and samplers are as for pcf_2x2_hardware.hpp. Points lie where they fall, between texels, as the sampler weighs

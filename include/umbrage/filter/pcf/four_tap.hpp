@@ -3,7 +3,7 @@
 // Percentage-closer filtering over four taps with coordinates of their own, as the Radeon 8500 did it: one texture
 // matrix per tap (tap_matrices), four nearest fetches, four tests, the mean.
 //
-//     float visibility = umbrage::four_tap(umbrage::clamped(map), a, b, c, d, depth - bias);
+//     float visibility = umbrage::four_tap(umbrage::bordered(map), a, b, c, d, depth - bias);
 //
 #pragma once
 

@@ -3,7 +3,7 @@
 // four_tap by the sampler, as the Radeon 8500 had it: coordinates that four texture matrices give are the sampler's as
 // they are, and its nearest texel is the tap's.
 //
-//     float visibility = umbrage::four_tap_hardware(umbrage::clamped(map), size, a, b, c, d, depth - bias);
+//     float visibility = umbrage::four_tap_hardware(umbrage::bordered(map), size, a, b, c, d, depth - bias);
 //
 // In a shader bind it to a map with `gather` set, which says that there is a sampler of the nearest texel. Taps within
 // a rounding of a texel's border may read the texel beside it.

@@ -2,7 +2,7 @@
 //
 // The unfiltered shadow test: one texel, one comparison.
 //
-//     float visibility = umbrage::hard(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = umbrage::hard(umbrage::bordered(map), coord, depth - bias);
 //
 #pragma once
 

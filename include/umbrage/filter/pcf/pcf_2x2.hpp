@@ -2,7 +2,7 @@
 //
 // Bilinear percentage-closer filtering over 2x2 texels.
 //
-//     float visibility = umbrage::pcf_2x2(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = umbrage::pcf_2x2(umbrage::bordered(map), coord, depth - bias);
 //
 // pcf_2x2 quantizes the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
 // DirectX SDK sample's form in plain floats.

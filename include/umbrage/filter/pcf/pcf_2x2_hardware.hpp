@@ -2,7 +2,7 @@
 //
 // pcf_2x2 by the sampler: one look-up that compares four texels and weighs them.
 //
-//     float visibility = umbrage::pcf_2x2_hardware(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = umbrage::pcf_2x2_hardware(umbrage::bordered(map), coord, depth - bias);
 //
 // In a shader bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly; for any other map
 // it is pcf_2x2. The bound holds for samplers that weigh in steps of 1/256, as Direct3D has them, or finer. OpenGL

@@ -3,9 +3,9 @@
 // Percentage-closer filtering under a window of weights that slides over the map in steps of 1/256 texel, so that
 // edges of shadows move as smoothly as receivers do.
 //
-//     float visibility = umbrage::tent<3>(umbrage::clamped(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
+//     float visibility = umbrage::tent<3>(umbrage::bordered(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
 //     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
-//     float softer = umbrage::window(umbrage::clamped(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
+//     float softer = umbrage::window(umbrage::bordered(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
 //
 // In a shader a window asks for 2 x 2 texels at a time: bound to a map with `gather`, one of 3 x 3 weights takes 4
 // gathers, one of 5 x 5 takes 9, one of 7 x 7 takes 16.

@@ -4,7 +4,7 @@
 // window of 3 x 3 weights takes 4 look-ups, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
 //
 //     constexpr umbrage::window_row row = umbrage::castano_row<5>;
-//     float visibility = umbrage::window_hardware(umbrage::clamped(map), coord, depth - bias, row);
+//     float visibility = umbrage::window_hardware(umbrage::bordered(map), coord, depth - bias, row);
 //     // in a shader umbrage_window_hardware5(map, size, coord, receiver, 1.0, 3.0, 4.0)
 //
 // Maps and samplers are as for pcf_2x2_hardware.hpp.

@@ -2,7 +2,7 @@
 //
 // The library's sliding windows, as functions and as values of one filter:
 //
-//     float visibility = umbrage::binomial<5>(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = umbrage::binomial<5>(umbrage::bordered(map), coord, depth - bias);
 //     umbrage::visibility(map, encoding, receivers, umbrage::filters::binomial<5>, out);
 //
 //     tent<2>, tent<3>, tent<7>    1 1; 1 2 1; 1 2 3 4 3 2 1

@@ -2,7 +2,7 @@
 //
 // Prefiltered maps from a shader or for one receiver: four texels, weighed, and what they say of visibility.
 //
-//     float visibility = umbrage::vsm(umbrage::clamped(moments), coord, depth - bias, 1e-6f);
+//     float visibility = umbrage::vsm(umbrage::bordered(moments), coord, depth - bias, 1e-6f);
 //
 // In a shader bind the snippet to the map of moments; texels are read one by one and weighed in steps of 1/256, so that
 // any texture of floats will do. Where the sampler filters such a texture, or takes a level of its mip chain, ask it
@@ -42,16 +42,21 @@ template <real T, class Fetch>
 
 namespace detail {
 
-/// What look-ups share: who is not compared is lit.
+/// What look-ups share: who is not compared is lit, and with bordered(map) who is outside the map. Texels beside its
+/// edge are the nearest ones inside, as they were for the blur.
 template <real T, class Fetch, class Decode>
 [[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T cleared, const Decode& decode) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
-    return in_filter_domain(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+    if constexpr (requires { fetch.map.size; }) {
+        if (!map_covers(glm::vec<2, T>(fetch.map.size), coord)) return T(1);
+        return decode(fetch_bilinear(clamped(fetch.map), coord));
+    } else return decode(fetch_bilinear(fetch, coord));
 }
 
 }  // namespace detail
 
-/// @param fetch      ivec2 texel -> texel of encode_vsm, blurred
+/// @param fetch      texels of encode_vsm, blurred: bordered(map), outside of which all is lit, or ivec2 -> texel
 /// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @formula          decode_vsm of fetch_bilinear
@@ -146,14 +151,14 @@ inline constexpr snippet vsm{
     .summary = "visibility from a map of encode_vsm's texels",
     .exactness = tier::c,
     .operations = 165,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_vsm>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_vsm>,
     .source = R"GLSL(
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -166,14 +171,14 @@ inline constexpr snippet esm{
     .summary = "visibility from a map of encode_esm's texels",
     .exactness = tier::b,
     .operations = 56,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_esm>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_esm>,
     .source = R"GLSL(
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -186,7 +191,7 @@ inline constexpr snippet evsm2{
     .summary = "visibility from a map of encode_evsm2's texels",
     .exactness = tier::c,
     .operations = 267,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm2>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_evsm2>,
     .source = R"GLSL(
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
@@ -194,7 +199,7 @@ inline constexpr snippet evsm2{
 UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
                                   UMBRAGE_HIGHP float deviation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -207,7 +212,7 @@ inline constexpr snippet evsm4{
     .summary = "visibility from a map of encode_evsm4's texels",
     .exactness = tier::c,
     .operations = 267,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm4>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_evsm4>,
     .source = R"GLSL(
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
@@ -215,7 +220,7 @@ inline constexpr snippet evsm4{
 UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
                                   UMBRAGE_HIGHP vec2 deviations) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -229,14 +234,14 @@ inline constexpr snippet msm{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_msm>,
     .source = R"GLSL(
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -250,14 +255,14 @@ inline constexpr snippet msm_unorm16{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm, &from_optimized_moments>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_msm, &from_optimized_moments>,
     .source = R"GLSL(
 // umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
@@ -271,14 +276,14 @@ inline constexpr snippet msm_hausdorff{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm_hausdorff>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_msm_hausdorff>,
     .source = R"GLSL(
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;

@@ -46,10 +46,11 @@ template <real T, class Fetch>
 /// @param table      as make_moment_table makes it
 /// @param size       of the table in texels: (2 (w + 1), h + 1) of a map of w x h
 /// @param coord      receiver in texels of the map, the first texel's center is (0.5, 0.5); outside texel space, or
-///                   NaN: lit; what of the box lies outside the map does not count
+///                   NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
 /// @param bias       msm_bias_16
+/// @param outside    bordered: outside the map all is lit; clamped: as at its edge. Of a box the texels inside count
 /// @return           visibility: at least the lit share of the box, less bias.x and decode_msm's error
 /// @formula          decode_msm of box_mean / 65535, turned back
 /// @exactness        C, within 1/64 as written
@@ -57,10 +58,10 @@ template <real T, class Fetch>
 ///                   SIGGRAPH 1984
 template <real T, class Fetch>
 [[nodiscard]] T summed_moments(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius,
-                               glm::vec<2, T> bias, T cleared = T(1)) {
+                               glm::vec<2, T> bias, T cleared = T(1), outside_map outside = outside_map::bordered) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
-    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
+    if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(map), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
     const int reach = static_cast<int>(radius);
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
@@ -108,7 +109,7 @@ inline constexpr snippet summed_moments{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&in_filter_domain, &box_mean, &from_optimized_moments, &decode_msm>,
+    .needs = list<&in_filter_domain, &map_covers, &box_mean, &from_optimized_moments, &decode_msm>,
     .source = R"GLSL(
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
@@ -117,8 +118,8 @@ inline constexpr snippet summed_moments{
 UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                            UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);

@@ -57,11 +57,11 @@ template <real T, class Fetch>
 /// Share of the texels in a box that can be lit: Chebyshev's bound, from its mean and variance.
 /// @param table      as make_variance_table makes it
 /// @param size       of the map in texels; the table has one more column and row
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit; what
-///                   of the box lies outside the map does not count
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
 /// @param codes      2^bits of the table
+/// @param outside    bordered: outside the map all is lit; clamped: as at its edge. Of a box the texels inside count
 /// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit share
 /// @formula          m, v mean and variance of the codes + 1: d = codes receiver - m; d <= 0 ? 1 : v / (v + d^2)
 /// @exactness        C, within 1/65536: two divisions, on numbers that do not cancel; d is off by 2^-23 where v is at
@@ -70,8 +70,8 @@ template <real T, class Fetch>
 ///                   shadow maps, I3D 2006
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T summed_variance(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius, T codes,
-                                Compare is_lit = {}) {
-    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+                                Compare is_lit = {}, outside_map outside = outside_map::bordered) {
+    if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(size), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
     const int reach = static_cast<int>(radius);
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
@@ -130,7 +130,7 @@ inline constexpr snippet summed_variance{
     .summary = "variance shadow over a box of any size, from a summed-area table",
     .exactness = tier::c,
     .within = 1.0f / 65536.0f,
-    .needs = list<&in_filter_domain, &cleared_depth, &box_moments>,
+    .needs = list<&in_filter_domain, &map_covers, &cleared_depth, &box_moments>,
     .source = R"GLSL(
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
@@ -139,8 +139,8 @@ inline constexpr snippet summed_variance{
 UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP float codes) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = size - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);

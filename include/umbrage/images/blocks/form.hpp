@@ -5,8 +5,8 @@
 //
 // A form states what it needs of a map and the smallest width and height that it can take; with_blocks() hands its
 // blocks to `use`. Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs
-// floats, it gets const float_texels&. A form clamps texels to the map's edge; outside_map::lit is for visibility() to
-// see to, which asks the filter's reach().
+// floats, it gets const float_texels&. A form clamps texels to the map's edge; visibility() filters again what may
+// lie outside a bordered map, by the filter's reach().
 //
 // Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
 // where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets

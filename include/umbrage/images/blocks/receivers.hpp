@@ -6,6 +6,10 @@
 //
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/config.hpp>
@@ -48,6 +52,41 @@ struct receiver_block {
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
     }
+};
+
+/// Asks blocks whether all their receivers lie in a rectangle of the map.
+class receiver_rectangle {
+public:
+    receiver_rectangle(glm::vec2 low, glm::vec2 high) {
+        constexpr float greatest = std::numeric_limits<float>::max();
+        for (int i = 0; i < period; ++i) {
+            low_[i] = i % 3 == 0 ? low.x : i % 3 == 1 ? low.y : -greatest;
+            high_[i] = i % 3 == 0 ? high.x : i % 3 == 1 ? high.y : greatest;
+        }
+    }
+
+    template <class Receivers>
+    [[nodiscard]] UMBRAGE_INLINE bool holds(const Receivers& r) const {
+        std::int32_t inside = 1;
+        for (int i = 0; i < block; ++i)
+            inside &= std::int32_t(r.x(i) >= low_[0]) & std::int32_t(r.x(i) <= high_[0]) &
+                      std::int32_t(r.y(i) >= low_[1]) & std::int32_t(r.y(i) <= high_[1]);
+        return inside != 0;
+    }
+    /// As they lie in memory, depths among them: to take them apart costs as much as a whole hard test. Where a depth
+    /// is no finite number, the answer may be that they do not.
+    [[nodiscard]] UMBRAGE_INLINE bool holds(const receiver_texels& r) const {
+        const auto* const values = reinterpret_cast<const float*>(r.first);
+        std::int32_t inside = 1;
+        for (int first = 0; first < 3 * block; first += period)
+            for (int i = 0; i < period; ++i)
+                inside &= std::int32_t(values[first + i] >= low_[i]) & std::int32_t(values[first + i] <= high_[i]);
+        return inside != 0;
+    }
+
+private:
+    static constexpr int period = 48;  // of three values and of sixteen lanes
+    alignas(64) float low_[period], high_[period];
 };
 
 /// A walk over the blocks of some rows: tile by tile, each of so many rows, from the first up to `last`.

@@ -7,7 +7,7 @@
 //     float number = umbrage::cascade_by_depth(view_depth, u.ends);
 //     glm::vec3 at = umbrage::cascade_coordinate(light, umbrage::cascade_column(u.scales, number),
 //                                                umbrage::cascade_column(u.offsets, number));
-//     float visibility = umbrage::pcf_2x2(umbrage::clamped(maps[int(number)]), glm::vec2(at), at.z - bias);
+//     float visibility = umbrage::pcf_2x2(umbrage::bordered(maps[int(number)]), glm::vec2(at), at.z - bias);
 //
 // In shaders the number is an array's layer, or chooses a tile of an atlas. Where arrays of uniforms take an index that
 // differs from pixel to pixel, they do for cascade_column. What costs a shader least there is a texture matrix for each

@@ -48,13 +48,23 @@ void add_core_texel_space(std::vector<entry>& all) {
                            },
                        .call = "vec4(umbrage_fetch_depth(map, map_size, vec2(x0.x, x0.y)))",
                        .maps = depth_maps(),
-                       .map_kind = {.direction = direction, .outside_lit = true}});
+                       .map_kind = {.direction = direction}});
     }
     all.push_back({.primitive = &glsl::inside_texel_space,
                    .classes = receivers(),
                    .twin = [](const sample& s) { return vec4(inside_texel_space(vec2(s.x[0])) ? 1.0f : 0.0f); },
                    .call = "vec4(umbrage_inside_texel_space(vec2(x0.x, x0.y)) ? 1.0 : 0.0)",
                    .maps = depth_maps()});
+    for (const auto outside : {outside_map::bordered, outside_map::clamped})
+        all.push_back(
+            {.primitive = &glsl::map_covers,
+             .variant = outside == outside_map::bordered ? "" : "clamped",
+             .classes = receivers(),
+             .twin = [outside](
+                         const sample& s) { return vec4(map_covers(vec2(s.map.size), at(s), outside) ? 1.0f : 0.0f); },
+             .call = "vec4(umbrage_map_covers(map_size, vec2(x0.x, x0.y)) ? 1.0 : 0.0)",
+             .maps = depth_maps(),
+             .map_kind = {.outside = outside}});
     for (const auto direction : {depth_direction::forward, depth_direction::reversed})
         all.push_back({.primitive = &glsl::in_filter_domain,
                        .variant = direction == depth_direction::forward ? "" : "reversed",
@@ -66,7 +76,7 @@ void add_core_texel_space(std::vector<entry>& all) {
                            },
                        .call = "vec4(umbrage_in_filter_domain(vec2(x0.x, x0.y), x0.z) ? 1.0 : 0.0)",
                        .maps = depth_maps(),
-                       .map_kind = {.direction = direction}});
+                       .map_kind = {.direction = direction, .outside = outside_map::clamped}});
     for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
         const bool forward = direction == depth_direction::forward;
         all.push_back({.primitive = &glsl::lit,
@@ -78,7 +88,7 @@ void add_core_texel_space(std::vector<entry>& all) {
                            },
                        .call = "vec4(umbrage_lit(map, map_size, vec2(x0.x, x0.y), x0.z))",
                        .maps = depth_maps(),
-                       .map_kind = {.direction = direction}});
+                       .map_kind = {.direction = direction, .outside = outside_map::clamped}});
         all.push_back(
             {.primitive = &glsl::lit_2x2,
              .variant = forward ? "" : "reversed",
@@ -87,7 +97,7 @@ void add_core_texel_space(std::vector<entry>& all) {
                          const sample& s) { return lit_2x2(s.depth(), texel_of(s), s.x[0].z, comparison{direction}); },
              .call = "umbrage_lit_2x2(map, map_size, vec2(x0.x, x0.y), x0.z)",
              .maps = depth_maps(),
-             .map_kind = {.direction = direction}});
+             .map_kind = {.direction = direction, .outside = outside_map::clamped}});
     }
 }
 

@@ -66,15 +66,16 @@ vec4 twins(const binding& as, const Fetch& fetch, const sample& s, float receive
 /// Fetches as the map's binding has them, of decode(texel).
 template <class Decode>
 auto fetch_as(const binding& as, const sample& s, Decode decode) {
-    return [&as, map = s.map, decode](ivec2 texel) {
-        return as.outside_lit && !inside_map(map.size, texel) ? cleared_depth(as.direction)
-                                                              : decode(fetch_clamped(map, texel));
+    const bool border = glsl::detail::is_bordered(as), scaled = !as.needs.empty() && as.needs[0].scaled;
+    const float far = scaled ? 65536.0f : cleared_depth(as.direction);
+    return [border, far, map = s.map, decode](ivec2 texel) {
+        return border && !inside_map(map.size, texel) ? far : decode(fetch_clamped(map, texel));
     };
 }
 
 std::string described(const std::string& kind, const binding& as) {
     return kind + (as.direction == depth_direction::forward ? "" : ", reversed") +
-           (as.outside_lit ? ", lit outside" : "") + (as.gather ? ", gathered" : "");
+           (glsl::detail::is_bordered(as) ? ", lit outside" : "") + (as.gather ? ", gathered" : "");
 }
 
 template <class Decode>
@@ -110,7 +111,7 @@ void add_kinds(std::vector<entry>& all) {
         {"shadow", {.texture = texture::shadow}},
         {"shadow array", {.texture = texture::shadow_array}},
         {"shadow region", {.texture = texture::shadow, .origin = "vec2(5.0, 3.0)"}}};
-    bool outside_lit = false;
+    bool bordered = false;
     for (const auto& [name, kind] : kinds) {
         for (const auto direction : {depth_direction::forward, depth_direction::reversed})
             for (const bool gather : {false, true}) {
@@ -118,13 +119,14 @@ void add_kinds(std::vector<entry>& all) {
                 binding as = kind;
                 as.direction = direction;
                 as.gather = gather;
-                as.outside_lit = (outside_lit != gather) != (direction == depth_direction::reversed);
+                const bool border = (bordered != gather) != (direction == depth_direction::reversed);
+                as.outside = border ? outside_map::bordered : outside_map::clamped;
                 const auto maps = kind.texture == texture::cube
                                       ? plain_maps({{64, 64}, {21, 21}, {1, 1}})
                                       : plain_maps({{64, 64}, {37, 21}, {3, 2}, {1, 1}, {1, 5}});
                 all.push_back(bound(name, as, maps, [](vec4 value) { return value.x; }));
             }
-        outside_lit = !outside_lit;
+        bordered = !bordered;
     }
 }
 
@@ -132,7 +134,8 @@ void add_packed(std::vector<entry>& all) {
     for (const bool gather : {false, true})
         for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
             const rg<11> encoding{.direction = direction};
-            const binding as = glsl::stored_as(encoding, {.outside_lit = !gather, .gather = gather});
+            const binding as = glsl::stored_as(
+                encoding, {.outside = gather ? outside_map::clamped : outside_map::bordered, .gather = gather});
             all.push_back(bound("rg11", as, packed_maps(),
                                 [encoding](vec4 value) { return decode_rg<11>(vec2(value), encoding.edge); }));
         }
@@ -140,18 +143,23 @@ void add_packed(std::vector<entry>& all) {
 
 /// Packed maps that are compared without decoding.
 void add_levels(std::vector<entry>& all) {
-    for (const bool gather : {false, true}) {
-        const binding as{
-            .gather = gather, .depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}};
-        const auto level = [](vec4 value) { return level_rg<11>(vec2(value)); };
-        entry e = bound("levels", as, packed_maps(), level);
-        e.twin = [as, level](const sample& s) {
-            return twins(as, fetch_as(as, s, level), s, receiver_rg<11>(s.x[0].z, center<float>), less_equal_scaled{});
-        };
-        e.call = calls(as, "umbrage_receiver_rg11(x0.z, 0.5)");
-        e.also.push_back(&glsl::receiver_rg<11>);
-        all.push_back(std::move(e));
-    }
+    for (const bool gather : {false, true})
+        for (const auto outside : {outside_map::clamped, outside_map::bordered}) {
+            const binding as{.outside = outside,
+                             .gather = gather,
+                             .depth = "umbrage_level_rg11(value.xy)",
+                             .channels = 2,
+                             .needs = {glsl::level_rg<11>}};
+            const auto level = [](vec4 value) { return level_rg<11>(vec2(value)); };
+            entry e = bound("levels", as, packed_maps(), level);
+            e.twin = [as, level](const sample& s) {
+                return twins(as, fetch_as(as, s, level), s, receiver_rg<11>(s.x[0].z, center<float>),
+                             less_equal_scaled{});
+            };
+            e.call = calls(as, "umbrage_receiver_rg11(x0.z, 0.5)");
+            e.also.push_back(&glsl::receiver_rg<11>);
+            all.push_back(std::move(e));
+        }
 }
 
 /// Depths of 16 bits, and receivers between two of them: implementations may compare floats or whole numbers. Filters
@@ -170,8 +178,10 @@ void add_short_depths(std::vector<entry>& all) {
         };
     for (const auto direction : {depth_direction::forward, depth_direction::reversed})
         for (const bool gather : {false, true}) {
-            const binding as{
-                .texture = texture::shadow, .direction = direction, .outside_lit = gather, .gather = gather};
+            const binding as{.texture = texture::shadow,
+                             .direction = direction,
+                             .outside = gather ? outside_map::bordered : outside_map::clamped,
+                             .gather = gather};
             entry e = bound("shadow of 16 bits", as, maps, [](vec4 value) { return value.x; });
             e.bound.front().short_depths = true;
             e.classes = classes;
@@ -195,10 +205,12 @@ void add_four_maps(std::vector<entry>& all) {
             .classes = receivers(),
             .call = "umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z)",
             .maps = packed_maps(),
-            .bound = {{"spot", glsl::stored_as(packed)},
-                      {"cascade", {.texture = texture::array, .direction = depth_direction::reversed}},
-                      {"tile", {.texture = texture::atlas, .outside_lit = true}},
-                      {"lamp", {.texture = texture::cube, .outside_lit = true}}},
+            .bound =
+                {{"spot", glsl::stored_as(packed, {.outside = outside_map::clamped})},
+                 {"cascade",
+                  {.texture = texture::array, .direction = depth_direction::reversed, .outside = outside_map::clamped}},
+                 {"tile", {.texture = texture::atlas, .outside = outside_map::bordered}},
+                 {"lamp", {.texture = texture::cube, .outside = outside_map::bordered}}},
             .share = 16};
     e.maps = {e.maps.front()};  // faces of cubes are square
     e.twin = [packed](const sample& s) {

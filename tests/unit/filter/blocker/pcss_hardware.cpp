@@ -166,12 +166,15 @@ TEST_CASE("pcss_hardware: search, mean, radius and filter in real numbers, withi
 TEST_CASE("blockers_hardware: the sampler reads where a map has one to itself, else we do") {
     using namespace umbrage::glsl;
     const auto text = [](const binding& map) { return glsl::text({bind(glsl::blockers_hardware<16>, "sun", map)}); };
-    CHECK(text({.texture = texture::depth, .gather = true}).find("textureLod(map, uv, 0.0)") != std::string::npos);
-    CHECK(text({.texture = texture::array, .gather = true}).find("textureLod(map, vec3(uv, layer), 0.0)") !=
-          std::string::npos);
-    for (const binding& map :
-         {binding{}, binding{.texture = texture::atlas, .gather = true}, binding{.outside_lit = true, .gather = true},
-          binding{.texture = texture::integer, .gather = true}})
+    CHECK(text({.texture = texture::depth, .outside = outside_map::clamped, .gather = true})
+              .find("textureLod(map, uv, 0.0)") != std::string::npos);
+    CHECK(text({.texture = texture::array, .outside = outside_map::clamped, .gather = true})
+              .find("textureLod(map, vec3(uv, layer), 0.0)") != std::string::npos);
+    const std::string bordered = text({.gather = true});
+    CHECK(bordered.find("textureLod(map, uv, 0.0)") < bordered.find(": umbrage_border_depth_sun();"));
+    CHECK(bordered.find(": umbrage_border_depth_sun();") != std::string::npos);
+    for (const binding& map : {binding{}, binding{.texture = texture::atlas, .gather = true},
+                               binding{.texture = texture::integer, .gather = true}})
         CHECK(text(map).find("umbrage_fetch_depth_sun(map, ") != std::string::npos);
     CHECK_THROWS_AS(text({.texture = texture::shadow}), std::invalid_argument);
 }

@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("disc_hardware: of no radius it is pcf_2x2; outside, beyond a
 TEST_CASE("disc_hardware: a look-up a point, straight from a map that has its sampler to itself") {
     using namespace umbrage::glsl;
     const auto text = [](const binding& map) { return glsl::text({bind(glsl::disc_hardware<16>, "sun", map)}); };
-    const std::string direct = text({.texture = texture::shadow});
+    const std::string direct = text({.texture = texture::shadow, .outside = outside_map::clamped});
     int found = 0;
     for (auto at = direct.find("n += umbrage_lit_at_sun(map, "); at != std::string::npos;
          at = direct.find("n += umbrage_lit_at_sun(map, ", at + 1))
@@ -74,8 +74,9 @@ TEST_CASE("disc_hardware: a look-up a point, straight from a map that has its sa
     CHECK(found == 16);
     CHECK(direct.find("return textureLod(map, vec3(uv, receiver), 0.0);") != std::string::npos);
     CHECK(direct.find("umbrage_lit_filtered") == std::string::npos);
+    CHECK(text({.texture = texture::shadow}).find("umbrage_lit_filtered") == std::string::npos);  // nor with a border
     for (const binding& map :
-         {binding{}, binding{.texture = texture::shadow, .outside_lit = true},
+         {binding{}, binding{.texture = texture::shadow, .outside = outside_map::bordered, .origin = "vec2(8.0, 0.0)"},
           binding{.texture = texture::shadow, .origin = "vec2(8.0, 0.0)"}, binding{.gather = true}})
         CHECK(text(map).find("return umbrage_lit_filtered_sun(map, size, uv * size, receiver);") != std::string::npos);
 }

@@ -63,3 +63,31 @@ TEST_CASE("look-ups: decoders of the mean texel; who is not compared is lit") {
     CHECK(vsm(clamped(two), glm::vec2(3.0f), -0.5f, 0.0f, 0.0f) == 1);  // where depth is reversed
     CHECK(vsm(clamped(two), glm::vec2(3.0f), nan, 0.0f) == 0);
 }
+
+TEST_CASE("look-ups: with a border all outside the map is lit, and inside the blur's own edge counts") {
+    const float caster = 0.25f, receiver = 0.75f;
+    const evsm_parameters p = make_evsm({.exponent = 20.0f});
+    const image<glm::vec2> two({4, 4}, encode_vsm(caster)), evsm_two({4, 4}, encode_evsm2(caster, 20.0f));
+    const image<float> warped({4, 4}, encode_esm(caster, 20.0f));
+    const image<glm::vec4> four({4, 4}, encode_msm(caster)), evsm_four({4, 4}, encode_evsm4(caster, p.exponents)),
+        turned({4, 4}, to_optimized_moments(encode_msm(caster)));
+    const auto every = [&](glm::vec2 c, const auto& check) {
+        const auto both = [&](const auto& map, auto look_up) {
+            check(look_up(bordered(map), c), look_up(clamped(map), c));
+        };
+        both(two, [&](auto fetch, glm::vec2 at) { return vsm(fetch, at, receiver, 1e-6f); });
+        both(warped, [&](auto fetch, glm::vec2 at) { return esm(fetch, at, receiver, 20.0f); });
+        both(evsm_two, [&](auto fetch, glm::vec2 at) { return evsm2(fetch, at, receiver, 20.0f, 1e-3f); });
+        both(evsm_four, [&](auto f, glm::vec2 at) { return evsm4(f, at, receiver, p.exponents, p.deviations); });
+        both(four, [&](auto fetch, glm::vec2 at) { return msm(fetch, at, receiver, msm_bias_32); });
+        both(four, [&](auto fetch, glm::vec2 at) { return msm_hausdorff(fetch, at, receiver, msm_bias_32); });
+        both(turned, [&](auto fetch, glm::vec2 at) { return msm_unorm16(fetch, at, receiver, msm_bias_16); });
+    };
+    for (const glm::vec2 outside : {glm::vec2(-0.25f, 2), glm::vec2(2, -3), glm::vec2(4, 2), glm::vec2(2, 4.5f)})
+        every(outside, [](float lit, float dark) {
+            CHECK(lit == 1.0f);
+            CHECK(dark < 0.1f);
+        });
+    for (const glm::vec2 inside : {glm::vec2(0, 0), glm::vec2(0.25f, 3.75f), glm::vec2(2, 2)})
+        every(inside, [](float one, float other) { CHECK(one == other); });
+}

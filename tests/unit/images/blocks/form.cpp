@@ -41,7 +41,7 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
     if constexpr (requires { encoding.direction = filter.is_lit.direction; })
         encoding.direction = filter.is_lit.direction;
     const std::string name(filter.name);
-    const float reach = filter.reach();  // which decides where outside_map::lit looks again
+    const float reach = filter.reach();  // which decides what meets the edge
     CAPTURE(name);
     CAPTURE(reach);
     CAPTURE(map_size.x);
@@ -58,7 +58,7 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
     const scattered of(map_size, v, [&](float d) { return encoding.decode(encoding.encode(d)); });
     const any_filter alone(filter);
     const umbrage::image_view<const typename Encoding::texel> texels = map.view();
-    const auto clamped_map = umbrage::decoded(texels, encoding);
+    const auto clamped_map = umbrage::decoded(umbrage::clamped(texels), encoding);
     const auto bordered_map = [&](glm::ivec2 texel) {
         const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map_size.x && texel.y < map_size.y;
         return inside ? encoding.decode(texels[texel]) : alone.far;
@@ -72,15 +72,17 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
         });
     };
     against(clamped, of.receivers, bands{7});
-    against(one_by_one(alone, bordered, of.receivers), of.receivers, bands{3}, umbrage::outside_map::lit);
+    against(one_by_one(alone, bordered, of.receivers), of.receivers, bands{3}, umbrage::outside_map::bordered);
     // Receivers know nothing of maps and filters, but that some of these ask for the pixel.
     if constexpr (std::is_same_v<Encoding, umbrage::depth32f> &&
                   (std::is_same_v<Filter, umbrage::filters::pcf_2x2> ||
                    std::is_same_v<Filter, umbrage::filters::rotated_disc>)) {
         against(clamped, of.planes(), bands{2});
+        against(one_by_one(alone, bordered, of.receivers), of.planes(), bands{2}, umbrage::outside_map::bordered);
         const auto seen_at = [&](glm::ivec2 pixel) { return umbrage::receiver_at(of.seen(), pixel); };
         // receiver_at is of tier C: wants -ffp-contract=off
         against(one_by_one(alone, fetch, of.size, seen_at), of.seen(), bands{1});
+        against(one_by_one(alone, bordered, of.size, seen_at), of.seen(), bands{1}, umbrage::outside_map::bordered);
     }
 }
 
@@ -152,7 +154,7 @@ TEST_CASE("encode, visibility: large images, which bypass the cache, rows on and
         for (int x = 0; x < size.x; ++x) depth.view()[{x, y}] = v.depth();
     REQUIRE(umbrage::detail::past_cache(visibility.view()));
     REQUIRE(umbrage::detail::past_cache(texels.view()));
-    const auto fetch = umbrage::decoded(std::as_const(map).view(), rg);
+    const auto fetch = umbrage::decoded(umbrage::clamped(std::as_const(map)), rg);
     const umbrage::filters::pcf_2x2 filter;
     image<float> wanted(size);
     for (int y = 0; y < size.y; ++y)
@@ -160,7 +162,7 @@ TEST_CASE("encode, visibility: large images, which bypass the cache, rows on and
             wanted[{x, y}] = filter(fetch, glm::vec2(receivers[{x, y}]), receivers[{x, y}].z);
     for_each_path([&] {
         umbrage::encode(depth.view(), texels.view(), float_bits, bands{3});
-        umbrage::visibility(map, rg, receivers, filter, visibility.view(), bands{3});
+        umbrage::visibility(map, rg, receivers, filter, visibility.view(), bands{3}, umbrage::outside_map::clamped);
         int different = 0;
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {

@@ -51,7 +51,7 @@ TEST_CASE(
             CAPTURE(filter.reach());
             CHECK(differing(filter, hierarchical, any, scattered, umbrage::outside_map::clamped) == 0);
             CHECK(differing(filter, hierarchical, shapes, walk, umbrage::outside_map::clamped) == 0);
-            CHECK(differing(filter, hierarchical, shapes, walk, umbrage::outside_map::lit) == 0);
+            CHECK(differing(filter, hierarchical, shapes, walk, umbrage::outside_map::bordered) == 0);
         };
         for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
             for (umbrage::filters::window filter :

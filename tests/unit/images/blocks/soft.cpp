@@ -44,7 +44,7 @@ scene in_order(glm::ivec2 map_size) {
 template <class Filter>
 int check(const Filter& filter, const scene& of, umbrage::outside_map outside) {
     const umbrage::depth32f encoding{.direction = filter.is_lit.direction};
-    const bool bordered = outside == umbrage::outside_map::lit;
+    const bool bordered = outside == umbrage::outside_map::bordered;
     const auto fetch = [&](glm::ivec2 t) {
         return bordered ? umbrage::fetch_bordered(of.map.view(), t, encoding.cleared())
                         : umbrage::fetch_clamped(of.map.view(), t);
@@ -85,7 +85,7 @@ void check_all() {
                     if (filter.points != 16) break;
                 }
                 filter.softness = lights[0];
-                if (filter.points == 16) partly += check(filter, shadows, umbrage::outside_map::lit);
+                if (filter.points == 16) partly += check(filter, shadows, umbrage::outside_map::bordered);
             }
     }
     CHECK(partly > 10000);

@@ -75,12 +75,17 @@ void add_filter_blocker_pcss_hardware(std::vector<entry>& all) {
     add_search<8>(all);
     add_search<16>(all);
     add_search<32>(all);
-    add_search<16>(all, "sampler", {.gather = true});
+    add_search<16>(all, "sampler", {.outside = outside_map::clamped, .gather = true});
     add_search<16>(all, "depth, reversed, sampler",
-                   {.texture = texture::depth, .direction = depth_direction::reversed, .gather = true});
+                   {.texture = texture::depth,
+                    .direction = depth_direction::reversed,
+                    .outside = outside_map::clamped,
+                    .gather = true});
+    add_search<16>(all, "sampler, lit outside", {.gather = true});
     add_search<16>(all, "region", {.gather = true, .origin = "vec2(5.0, 3.0)"});
-    add_search<32>(all, "array, sampler", {.texture = texture::array, .gather = true});
-    add_search<32>(all, "depth array, sampler", {.texture = texture::depth_array, .gather = true});
+    add_search<32>(all, "array, sampler", {.texture = texture::array, .outside = outside_map::clamped, .gather = true});
+    add_search<32>(all, "depth array, sampler",
+                   {.texture = texture::depth_array, .outside = outside_map::clamped, .gather = true});
 
     all.push_back(filter(glsl::blocker_at, "", [](const sample& s) {
         const vec2 size(s.map.size), found = blocker_at(s.depth(), size, at(s) / size, s.x[0].z);

@@ -26,7 +26,7 @@ entry code_entry(const std::string& variant, depth_direction direction, std::fun
             .classes = spread({{0.0f, 1.0f}}, depth_values(16)),
             .twin = std::move(twin),
             .call = "vec4(umbrage_distance_code(x0.x))",
-            .map_kind = {.direction = direction}};
+            .map_kind = {.direction = direction, .outside = outside_map::clamped}};
 }
 
 /// The texel below a receiver, and whether it is before it.

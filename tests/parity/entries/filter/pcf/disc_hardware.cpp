@@ -37,10 +37,12 @@ void add_filter_pcf_disc_hardware(std::vector<entry>& all) {
     add<8>(all);
     add<16>(all);
     add<32>(all);
-    add<16>(all, "shadow", {.texture = texture::shadow});
+    add<16>(all, "shadow", {.texture = texture::shadow, .outside = outside_map::clamped});
+    add<16>(all, "shadow, lit outside", {.texture = texture::shadow});
     add<16>(all, "shadow region, lit outside",
-            {.texture = texture::shadow, .outside_lit = true, .origin = "vec2(5.0, 3.0)"});
-    add<8>(all, "shadow array, reversed", {.texture = texture::shadow_array, .direction = depth_direction::reversed});
+            {.texture = texture::shadow, .outside = outside_map::bordered, .origin = "vec2(5.0, 3.0)"});
+    add<8>(all, "shadow array, reversed",
+           {.texture = texture::shadow_array, .direction = depth_direction::reversed, .outside = outside_map::clamped});
 }
 
 }  // namespace parity

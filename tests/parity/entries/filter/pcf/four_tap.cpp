@@ -45,7 +45,7 @@ void add_filter_pcf_four_tap(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return taps(s, greater_equal{}); },
                    .call = call,
                    .maps = depth_maps(),
-                   .map_kind = {.direction = umbrage::depth_direction::reversed}});
+                   .map_kind = {.direction = umbrage::depth_direction::reversed, .outside = outside_map::clamped}});
 }
 
 }  // namespace parity

@@ -58,9 +58,11 @@ void add_filter_pcf_four_tap_hardware(std::vector<entry>& all) {
     const auto bound = [&](const char* name, const umbrage::glsl::binding& as) {
         add(all, bound_filter(glsl::four_tap_hardware, "", name, as, twin));
     };
-    bound("sampler", {.gather = true});
-    bound("depth, reversed, sampler",
-          {.texture = texture::depth, .direction = depth_direction::reversed, .gather = true});
+    bound("sampler", {.outside = outside_map::clamped, .gather = true});
+    bound("depth, reversed, sampler", {.texture = texture::depth,
+                                       .direction = depth_direction::reversed,
+                                       .outside = outside_map::clamped,
+                                       .gather = true});
     bound("region", {.gather = true, .origin = "vec2(5.0, 3.0)"});
 }
 

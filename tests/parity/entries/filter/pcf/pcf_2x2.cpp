@@ -54,22 +54,24 @@ void add_filter_pcf_pcf_2x2(std::vector<entry>& all) {
                            },
                        .call = "vec4(umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z))",
                        .maps = depth_maps(),
-                       .map_kind = {.direction = direction, .outside_lit = true}});
+                       .map_kind = {.direction = direction}});
     }
-    all.push_back(
-        {.primitive = &glsl::pcf_2x2,
-         .variant = "packed map",
-         .classes = receivers(),
-         .twin =
-             [](const sample& s) {
-                 const auto depth = [view = s.map](ivec2 texel) {
-                     return decode_rg<11>(vec2(fetch_clamped(view, texel)), 0.5f);
-                 };
-                 return vec4(pcf_2x2(depth, at(s), s.x[0].z));
-             },
-         .call = "vec4(umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z))",
-         .maps = packed_maps(),
-         .map_kind = {.depth = "umbrage_decode_rg11(value.xy, 0.5)", .channels = 2, .needs = {glsl::decode_rg<11>}}});
+    all.push_back({.primitive = &glsl::pcf_2x2,
+                   .variant = "packed map",
+                   .classes = receivers(),
+                   .twin =
+                       [](const sample& s) {
+                           const auto depth = [view = s.map](ivec2 texel) {
+                               return decode_rg<11>(vec2(fetch_clamped(view, texel)), 0.5f);
+                           };
+                           return vec4(pcf_2x2(depth, at(s), s.x[0].z));
+                       },
+                   .call = "vec4(umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z))",
+                   .maps = packed_maps(),
+                   .map_kind = {.outside = outside_map::clamped,
+                                .depth = "umbrage_decode_rg11(value.xy, 0.5)",
+                                .channels = 2,
+                                .needs = {glsl::decode_rg<11>}}});
 }
 
 }  // namespace parity

@@ -32,12 +32,13 @@ void add_filter_pcf_pcf_2x2_hardware(std::vector<entry>& all) {
     all.push_back(filter(glsl::pcf_2x2_hardware, "",
                          [](const sample& s) { return vec4(pcf_2x2_hardware(s.depth(), at(s), s.x[0].z)); }));
     const std::pair<const char*, glsl::binding> samplers[]{
-        {"shadow", {.texture = texture::shadow}},
-        {"shadow, reversed, lit outside",
-         {.texture = texture::shadow, .direction = depth_direction::reversed, .outside_lit = true}},
+        {"shadow", {.texture = texture::shadow, .outside = outside_map::clamped}},
+        {"shadow, reversed, lit outside", {.texture = texture::shadow, .direction = depth_direction::reversed}},
         {"shadow region", {.texture = texture::shadow, .origin = "vec2(5.0, 3.0)"}},
-        {"shadow region, lit outside", {.texture = texture::shadow, .outside_lit = true, .origin = "vec2(5.0, 3.0)"}},
-        {"shadow array, reversed", {.texture = texture::shadow_array, .direction = depth_direction::reversed}}};
+        {"shadow region, lit outside",
+         {.texture = texture::shadow, .outside = outside_map::bordered, .origin = "vec2(5.0, 3.0)"}},
+        {"shadow array, reversed",
+         {.texture = texture::shadow_array, .direction = depth_direction::reversed, .outside = outside_map::clamped}}};
     for (const auto& [name, as] : samplers)
         all.push_back(sampled_filter(
             glsl::pcf_2x2_hardware, "", name, as,

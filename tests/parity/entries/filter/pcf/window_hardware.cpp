@@ -28,15 +28,17 @@ void add_filter_pcf_window_hardware(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
     using glsl::texture;
     add(all, glsl::window_hardware<3>, ", 4.0, 8.0", tent_row<3>,
-        {{"shadow", {.texture = texture::shadow}},
+        {{"shadow", {.texture = texture::shadow, .outside = outside_map::clamped}},
          {"shadow region, lit outside",
-          {.texture = texture::shadow, .outside_lit = true, .origin = "vec2(5.0, 3.0)"}}});
+          {.texture = texture::shadow, .outside = outside_map::bordered, .origin = "vec2(5.0, 3.0)"}}});
     add(all, glsl::window_hardware<5>, ", 0.25, 0.75, 1.0", make_window_row(5, {0.25f, 0.75f, 1}, 128),
-        {{"shadow, reversed, lit outside",
-          {.texture = texture::shadow, .direction = depth_direction::reversed, .outside_lit = true}}});
+        {{"shadow, reversed, lit outside", {.texture = texture::shadow, .direction = depth_direction::reversed}}});
     add(all, glsl::window_hardware<7>, ", 0.0625, 0.3125, 0.75, 1.0",
         make_window_row(7, {0.0625f, 0.3125f, 0.75f, 1}, 32),
-        {{"shadow array, reversed", {.texture = texture::shadow_array, .direction = depth_direction::reversed}}});
+        {{"shadow array, reversed",
+          {.texture = texture::shadow_array,
+           .direction = depth_direction::reversed,
+           .outside = outside_map::clamped}}});
 }
 
 }  // namespace parity

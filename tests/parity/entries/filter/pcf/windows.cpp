@@ -38,13 +38,14 @@ void add_filter_pcf_windows(std::vector<entry>& all) {
             return same(fetch, at(s), s.x[0].z);
         }));
     };
-    gathered(filters::tent<2>, "gathered", {});
-    gathered(filters::tent<2>, "gathered comparisons, lit outside", {.texture = texture::shadow, .outside_lit = true});
-    gathered(filters::tent<3>, "gathered", {});
+    gathered(filters::tent<2>, "gathered", {.outside = outside_map::clamped});
+    gathered(filters::tent<2>, "gathered comparisons, lit outside", {.texture = texture::shadow});
+    gathered(filters::tent<3>, "gathered", {.outside = outside_map::clamped});
     gathered(filters::tent<3>, "gathered comparisons, reversed",
-             {.texture = texture::shadow, .direction = depth_direction::reversed});
-    gathered(filters::castano_dyadic<5>, "gathered, lit outside", {.outside_lit = true});
-    gathered(filters::castano_dyadic<5>, "gathered comparisons", {.texture = texture::shadow});
+             {.texture = texture::shadow, .direction = depth_direction::reversed, .outside = outside_map::clamped});
+    gathered(filters::castano_dyadic<5>, "gathered, lit outside", {});
+    gathered(filters::castano_dyadic<5>, "gathered comparisons",
+             {.texture = texture::shadow, .outside = outside_map::clamped});
     filters::window reversed = filters::binomial<5>;
     reversed.is_lit = {depth_direction::reversed};
     all.push_back(reversed_filter(*reversed.snippet, "",

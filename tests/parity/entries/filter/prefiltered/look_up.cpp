@@ -27,7 +27,14 @@ void add_filter_prefiltered_look_up(std::vector<entry>& all) {
         entry e = filter(s, arguments, {});
         e.maps = std::move(maps);
         e.share = 2;
-        add_both(all, std::move(e), std::move(twin));
+        add_both(all, e, twin);
+        e.variant = "lit outside";
+        e.map_kind.outside = outside_map::bordered;
+        e.share = 16;
+        e.twin = [twin](const sample& one) {
+            return map_covers(vec2(one.map.size), at(one)) ? twin(one, 1.0f) : vec4(1.0f);
+        };
+        all.push_back(std::move(e));
     };
     all.push_back({.primitive = &glsl::fetch_bilinear,
                    .classes = {{"inside",
@@ -57,10 +64,15 @@ void add_filter_prefiltered_look_up(std::vector<entry>& all) {
     add(glsl::msm_hausdorff, ", vec2(0.000003, 0.375)", moments, [fetch](const sample& s, float far) {
         return vec4(msm_hausdorff(fetch(s), at(s), s.x[0].z, msm_bias_32, far));
     });
-    // one of them in a region of an array, by its hooks
-    all.push_back(
-        bound_filter(glsl::esm, ", 8.0", "bound to an array", {.texture = glsl::texture::array},
-                     [](const auto& depth, const sample& s, comparison) { return esm(depth, at(s), s.x[0].z, 8.0f); }));
+    // one of them in an array, by its hooks
+    all.push_back(bound_filter(
+        glsl::esm, ", 8.0", "bound to an array", {.texture = glsl::texture::array, .outside = outside_map::clamped},
+        [](const auto& depth, const sample& s, comparison) { return esm(depth, at(s), s.x[0].z, 8.0f); }));
+    all.push_back(bound_filter(glsl::esm, ", 8.0", "bound to an array, lit outside", {.texture = glsl::texture::array},
+                               [](const auto&, const sample& s, comparison) {
+                                   return map_covers(vec2(s.map.size), at(s)) ? esm(s.depth(), at(s), s.x[0].z, 8.0f)
+                                                                              : 1.0f;
+                               }));
 }
 
 }  // namespace parity

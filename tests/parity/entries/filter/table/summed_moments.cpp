@@ -58,22 +58,25 @@ auto texels_of_table(const sample& s) {
     return [view = s.map](ivec2 at) { return texel(view, at); };
 }
 
-void add_summed_moments(std::vector<entry>& all, depth_direction direction) {
+void add_summed_moments(std::vector<entry>& all, depth_direction direction, outside_map outside) {
     const float far = cleared_depth(direction);
     all.push_back({.primitive = &glsl::summed_moments,
-                   .variant = direction == depth_direction::forward ? "" : "reversed",
+                   .variant = std::string(outside == outside_map::clamped ? "" : "lit outside") +
+                              (direction == depth_direction::forward ? ""
+                               : outside == outside_map::clamped     ? "reversed"
+                                                                     : ", reversed"),
                    .classes = receivers(),
                    .twin =
-                       [far](const sample& s) {
+                       [far, outside](const sample& s) {
                            const vec4 x = s.x[0];
                            return vec4(summed_moments(texels_of_table(s), s.map.size, at(s), x.z,
-                                                      x.w < 0.0f ? 0.0f : x.w, msm_bias_16, far));
+                                                      x.w < 0.0f ? 0.0f : x.w, msm_bias_16, far, outside));
                        },
                    .call =
                        "vec4(umbrage_summed_moments(map, map_size, vec2(x0.x, x0.y), x0.z, x0.w < 0.0 ? 0.0 : x0.w, "
                        "vec2(0.00006, 0.628)))",
                    .maps = moment_tables({.radius = 9, .direction = direction}),
-                   .map_kind = {.direction = direction},
+                   .map_kind = {.direction = direction, .outside = outside},
                    .alike = direction == depth_direction::reversed});
 }
 
@@ -90,8 +93,10 @@ void add_filter_table_summed_moments(std::vector<entry>& all) {
                        },
                    .call = "umbrage_box_mean(map, map_size, vec2(x0.x, x0.y), vec2(x0.z, x0.w))",
                    .maps = wrapped(moment_tables({.radius = 63}))});
-    add_summed_moments(all, depth_direction::forward);
-    add_summed_moments(all, depth_direction::reversed);
+    for (const auto outside : {outside_map::clamped, outside_map::bordered}) {
+        add_summed_moments(all, depth_direction::forward, outside);
+        add_summed_moments(all, depth_direction::reversed, outside);
+    }
 }
 
 }  // namespace parity

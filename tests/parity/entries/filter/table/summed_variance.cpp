@@ -40,21 +40,24 @@ auto table_of(const sample& s) {
 }
 
 template <class Compare>
-void add_summed_variance(std::vector<entry>& all, Compare is_lit, depth_direction direction) {
+void add_summed_variance(std::vector<entry>& all, Compare is_lit, depth_direction direction, outside_map outside) {
     entry e{.primitive = &glsl::summed_variance,
-            .variant = direction == depth_direction::forward ? "" : "reversed",
+            .variant = std::string(outside == outside_map::clamped ? "" : "lit outside") +
+                       (direction == depth_direction::forward ? ""
+                        : outside == outside_map::clamped     ? "reversed"
+                                                              : ", reversed"),
             .classes = receivers(),
             .twin =
-                [is_lit](const sample& s) {
+                [is_lit, outside](const sample& s) {
                     const vec4 x = s.x[0];
                     return vec4(summed_variance(table_of(s), s.map.size - 1, at(s), x.z, x.w < 0.0f ? 0.0f : x.w,
-                                                1024.0f, is_lit));
+                                                1024.0f, is_lit, outside));
                 },
             .call =
                 "vec4(umbrage_summed_variance(map, map_size, vec2(x0.x, x0.y), x0.z, x0.w < 0.0 ? 0.0 : x0.w, "
                 "1024.0))",
             .maps = variance_tables({.bits = 10, .radius = 9, .is_lit = {direction}}, 0.0f),
-            .map_kind = {.direction = direction},
+            .map_kind = {.direction = direction, .outside = outside},
             .alike = direction == depth_direction::reversed};
     all.push_back(std::move(e));
 }
@@ -71,8 +74,10 @@ void add_filter_table_summed_variance(std::vector<entry>& all) {
                        },
                    .call = "umbrage_box_moments(map, map_size, vec2(x0.x, x0.y), vec2(x0.z, x0.w))",
                    .maps = variance_tables({.bits = 12, .radius = 16}, 0.75f)});
-    add_summed_variance(all, less_equal{}, depth_direction::forward);
-    add_summed_variance(all, greater_equal{}, depth_direction::reversed);
+    for (const auto outside : {outside_map::clamped, outside_map::bordered}) {
+        add_summed_variance(all, less_equal{}, depth_direction::forward, outside);
+        add_summed_variance(all, greater_equal{}, depth_direction::reversed, outside);
+    }
 }
 
 }  // namespace parity

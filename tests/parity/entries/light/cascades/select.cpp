@@ -82,8 +82,8 @@ vec4 looked_up(const sample& s, const Fetch& fetch) {
 
 /// Layers as bound textures have them: the map is the second, and the first 1 less it.
 void add_array(std::vector<entry>& all) {
-    entry e =
-        look_up("look-up in an array", "map_size", {.name = "map", .as = {.texture = glsl::texture::array}}, 2.0f);
+    entry e = look_up("look-up in an array", "map_size",
+                      {.name = "map", .as = {.texture = glsl::texture::array, .outside = outside_map::clamped}}, 2.0f);
     e.twin = [](const sample& s) {
         const bool first = number_of(s) < 0.5f;
         return looked_up(s, [map = s.map, first](ivec2 texel) {

@@ -31,9 +31,15 @@ void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size, glm::
     image<typename Encoding::texel> map(map_size);
     for (auto& texel : map.texels()) texel = encoding.encode(0.3f + 0.4f * v.unit());
     const image<glm::vec3> receivers = in_a_row({192, 24}, map_size, start, step);
-    const auto fetch = umbrage::decoded(std::as_const(map).view(), encoding);
-    check_each_path(one_by_one(any_filter(filter), erase(fetch), receivers),
+    const auto fetch = umbrage::decoded(map, encoding);
+    const auto clamped = umbrage::clamped(fetch);
+    const one_by_one bordered_one(any_filter(filter), erase(fetch), receivers),
+        clamped_one(any_filter(filter), erase(clamped), receivers);
+    check_each_path(bordered_one,
                     [&](image<float>& out) { umbrage::visibility(map, encoding, receivers, filter, out, bands{3}); });
+    check_each_path(clamped_one, [&](image<float>& out) {
+        umbrage::visibility(map, encoding, receivers, filter, out, bands{3}, umbrage::outside_map::clamped);
+    });
 }
 
 }  // namespace
