@@ -33,7 +33,9 @@ CLI::Option* add_filter(CLI::App& app, Text& value, const std::vector<std::strin
 }
 template <class Text>
 CLI::Option* add_bias(CLI::App& app, Text& value) {
-    return add_choice(app, "--bias", value, bias_names(), "what keeps surfaces from shadowing themselves");
+    return add_choice(
+        app, "--bias", value, bias_names(),
+        "what keeps surfaces from shadowing themselves; default: acne_free, of pcss and dpcf receiver_plane");
 }
 
 }  // namespace example

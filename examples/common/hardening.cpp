@@ -27,8 +27,10 @@ look_up contact_hardening(std::string_view name, umbrage::image_view<const float
     look_up out;
     umbrage::filters::soft::with(name, [&](auto filter) {
         filter.softness = softness;
-        out = [=, &progress](const umbrage::receiver_planes& receivers, umbrage::image_view<float> visibility) {
-            umbrage::visibility(map, umbrage::depth32f{}, receivers, filter, visibility, progress.bands());
+        out = [=, &progress](const umbrage::sloped_receivers& receivers, umbrage::image_view<float> visibility) {
+            if (receivers.slope_x.empty())
+                umbrage::visibility(map, umbrage::depth32f{}, receivers.at, filter, visibility, progress.bands());
+            else umbrage::visibility(map, umbrage::depth32f{}, receivers, filter, visibility, progress.bands());
         };
     });
     if (!out) throw std::invalid_argument("no contact hardening is called " + std::string(name));

@@ -5,6 +5,7 @@
 
 #include "biases.hpp"
 #include "filters.hpp"
+#include "soft.hpp"
 
 namespace example {
 
@@ -52,6 +53,10 @@ std::string_view snippet_of(std::string_view filter) {
     std::string_view name = filter;
     umbrage::with_filter(filter, [&](const auto& f) { name = f.snippet->name; });
     return name;
+}
+
+std::string_view usual_bias(std::string_view filter) {
+    return hardens(filter) ? biases::receiver_plane::name : biases::acne_free::name;
 }
 
 bool moves_stored_depths(std::string_view bias) {

@@ -23,6 +23,10 @@ namespace example {
 /// What the filter of that name is called in shaders: those of soft.hpp by their own.
 [[nodiscard]] std::string_view snippet_of(std::string_view filter);
 
+/// The bias of a filter, by its name, where the user chooses none: receiver_plane for contact hardening, whose radius
+/// differs from receiver to receiver, acne_free for all others.
+[[nodiscard]] std::string_view usual_bias(std::string_view filter);
+
 /// Whether a bias, by its name, moves stored depths along the receiver's plane.
 [[nodiscard]] bool moves_stored_depths(std::string_view bias);
 

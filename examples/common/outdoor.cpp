@@ -107,8 +107,9 @@ void add_ground(std::vector<copies>& parts) {
 void add_cone(mesh& out, glm::vec3 foot, float radius, float tall, glm::vec3 color, unsigned sides, float top = 0) {
     const glm::mat4 place = glm::translate(glm::mat4(1), foot);
     add_surface(out, {sides, 1}, place, color, [&](float u, float v) {
-        const float a = u * tau, r = glm::mix(radius, top, v);
-        const glm::vec3 around(std::sin(a), 0, std::cos(a));
+        const glm::vec2 at = on_circle(u);
+        const float r = glm::mix(radius, top, v);
+        const glm::vec3 around(at.y, 0, at.x);
         return vertex{r * around + glm::vec3(0, v * tall, 0),
                       glm::normalize(tall * around + glm::vec3(0, radius - top, 0))};
     });
@@ -117,8 +118,7 @@ void add_cone(mesh& out, glm::vec3 foot, float radius, float tall, glm::vec3 col
 /// A ball with dents.
 void add_lump(mesh& out, glm::vec3 center, glm::vec3 radius, glm::vec3 color, float dents, std::uint32_t which) {
     add_surface(out, {9, 5}, glm::translate(glm::mat4(1), center), color, [&](float u, float v) {
-        const float a = u * tau, b = v * tau / 2;
-        const glm::vec3 n(std::sin(b) * std::sin(a), -std::cos(b), std::sin(b) * std::cos(a));
+        const glm::vec3 n = on_sphere(u, v);
         const float out_by = 1 - dents * noise(glm::vec2(n) * 2.0f + n.z * 3.1f, which);
         return vertex{radius * n * out_by, glm::normalize(n / radius)};
     });
@@ -188,7 +188,7 @@ mesh fence() {
 
 glm::mat4 standing(glm::vec2 at, float turn, float size, float sunk = 0) {
     const glm::mat4 place = glm::translate(glm::mat4(1), {at.x, height(at) - sunk, at.y});
-    return glm::scale(glm::rotate(place, turn, {0, 1, 0}), glm::vec3(size));
+    return glm::scale(place * rotation_about(1, turn), glm::vec3(size));
 }
 
 /// Houses around each middle, a fence about every other.
@@ -196,17 +196,16 @@ void add_villages(copies& houses, copies& fences) {
     for (const village& v : villages)
         for (int i = 0; i < v.houses; ++i) {
             const glm::ivec2 number(i, static_cast<int>(v.at.x));
-            const float angle =
-                tau * (static_cast<float>(i) + 0.5f * random_of(number, 70)) / static_cast<float>(v.houses);
+            const float angle = (static_cast<float>(i) + 0.5f * random_of(number, 70)) / static_cast<float>(v.houses);
             const float out = (i % 2 == 0 ? 22.0f : 40.0f) + 8.0f * random_of(number, 71);
-            const glm::vec2 at = v.at + out * glm::vec2(std::sin(angle), std::cos(angle));
-            const float turn = angle + random_of(number, 72);
+            const glm::vec2 way = on_circle(angle), at = v.at + out * glm::vec2(way.y, way.x);
+            const float turn = angle + 0.15915494f * random_of(number, 72);
             houses.places.push_back(standing(at, turn, 1));
             if (i % 2 == 0) continue;
             for (int k = 0; k < 12; ++k) {
                 const auto along = static_cast<float>(k % 4) * 3 - 4.5f;
-                const float quarter = turn + tau / 4 * static_cast<float>(k / 4);
-                const glm::vec2 ahead(std::sin(quarter), std::cos(quarter)), aside(ahead.y, -ahead.x);
+                const float quarter = turn + 0.25f * static_cast<float>(k / 4);
+                const glm::vec2 to = on_circle(quarter), ahead(to.y, to.x), aside(ahead.y, -ahead.x);
                 fences.places.push_back(standing(at + 7.5f * ahead + along * aside, quarter, 1));
             }
         }
@@ -223,7 +222,7 @@ void add_plants(copies& conifers, copies& broadleaves, copies& rocks) {
             for (const village& v : villages)
                 space = std::min(space, glm::smoothstep(45.0f, 110.0f, glm::distance(at, v.at)));
             const float wood_here = glm::smoothstep(0.45f, 0.6f, noise(at / 85.0f, 90)) * space;
-            const float chance = random_of(c, 82), turn = tau * random_of(c, 83), size = 0.7f + 0.7f * random_of(c, 84);
+            const float chance = random_of(c, 82), turn = random_of(c, 83), size = 0.7f + 0.7f * random_of(c, 84);
             const float steep = 1 - normal_at(at).y;
             if (steep < 0.22f && chance < 0.02f + 0.8f * wood_here) {
                 const bool high = height(at) > 55 + 40 * noise(at / 40.0f, 91);

@@ -50,8 +50,8 @@ look_up of_blurred(const Prefilter& filter, umbrage::image_view<const float> map
     store(filter, moments);
     umbrage::blur(moments, *blurred, kernel_of(radius), progress.bands());
     store(filter, *blurred);
-    return [=, &progress](const umbrage::receiver_planes& receivers, umbrage::image_view<float> visibility) {
-        umbrage::look_up(std::as_const(*blurred).view(), receivers, filter, visibility, progress.bands());
+    return [=, &progress](const umbrage::sloped_receivers& receivers, umbrage::image_view<float> visibility) {
+        umbrage::look_up(std::as_const(*blurred).view(), receivers.at, filter, visibility, progress.bands());
     };
 }
 
@@ -59,10 +59,10 @@ look_up of_blurred(const Prefilter& filter, umbrage::image_view<const float> map
 template <class Kind>
 look_up of_table(umbrage::image<glm::u16vec4> table, const Kind& of, progress& progress) {
     const auto kept = std::make_shared<const umbrage::image<glm::u16vec4>>(std::move(table));
-    return [=, &progress](const umbrage::receiver_planes& r, umbrage::image_view<float> visibility) {
+    return [=, &progress](const umbrage::sloped_receivers& r, umbrage::image_view<float> visibility) {
         umbrage::image<glm::vec3> receivers(visibility.size);
         for (glm::ivec2 p{0}; p.y < visibility.size.y; ++p.y)
-            for (p.x = 0; p.x < visibility.size.x; ++p.x) receivers[p] = {r.x[p], r.y[p], r.depth[p]};
+            for (p.x = 0; p.x < visibility.size.x; ++p.x) receivers[p] = {r.at.x[p], r.at.y[p], r.at.depth[p]};
         umbrage::summed_visibility(kept->view(), of, std::as_const(receivers).view(), of.radius, visibility,
                                    progress.bands());
     };

@@ -2,8 +2,8 @@
 #include "scene.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -22,17 +22,16 @@ constexpr float fitted_size = 2.4f;  ///< greatest edge of a mesh that was scale
 
 void add_sphere(mesh& out, glm::vec3 center, float radius, glm::vec3 color) {
     add_surface(out, {96, 48}, glm::translate(glm::mat4(1), center), color, [&](float u, float v) {
-        const float a = u * tau, b = v * tau / 2;
-        const glm::vec3 n(std::sin(b) * std::sin(a), -std::cos(b), std::sin(b) * std::cos(a));
+        const glm::vec3 n = on_sphere(u, v);
         return vertex{radius * n, n};
     });
 }
 
 void add_torus(mesh& out, const glm::mat4& place, float ring, float tube, glm::vec3 color) {
     add_surface(out, {128, 48}, place, color, [&](float u, float v) {
-        const float a = u * tau, b = v * tau;
-        const glm::vec3 outwards(std::cos(a), std::sin(a), 0);
-        const glm::vec3 n = std::cos(b) * outwards + glm::vec3(0, 0, std::sin(b));
+        const glm::vec3 outwards(on_circle(u), 0);
+        const glm::vec2 around = on_circle(v);
+        const glm::vec3 n = around.x * outwards + glm::vec3(0, 0, around.y);
         return vertex{ring * outwards + tube * n, n};
     });
 }
@@ -73,11 +72,12 @@ void find_bounds(scene& s) {
 scene default_scene() {
     mesh m;
     const auto at = [](glm::vec3 p) { return glm::translate(glm::mat4(1), p); };
+    constexpr double radian = 0.5 / std::numbers::pi;  // in turns
     add_pillar(m, {1.15f, 0, -0.2f}, 0.25f, 1.35f, {0.75f, 0.72f, 0.66f});
     add_sphere(m, {1.15f, 1.8f, -0.2f}, 0.48f, {0.80f, 0.30f, 0.16f});
-    add_box(m, glm::rotate(at({-0.05f, 0.5f, -0.75f}), 0.5f, {0, 1, 0}), glm::vec3(0.5f), {0.22f, 0.42f, 0.70f});
-    add_torus(m, glm::rotate(glm::rotate(at({-0.75f, 0.63f, 0.85f}), 0.6f, {0, 1, 0}), -0.45f, {1, 0, 0}), 0.5f, 0.17f,
-              {0.90f, 0.65f, 0.13f});
+    add_box(m, at({-0.05f, 0.5f, -0.75f}) * rotation_about(1, 0.5 * radian), glm::vec3(0.5f), {0.22f, 0.42f, 0.70f});
+    add_torus(m, at({-0.75f, 0.63f, 0.85f}) * rotation_about(1, 0.6 * radian) * rotation_about(0, -0.45 * radian), 0.5f,
+              0.17f, {0.90f, 0.65f, 0.13f});
     return finish(m);
 }
 

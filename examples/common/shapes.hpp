@@ -6,9 +6,7 @@
 //
 #pragma once
 
-#include <cmath>
 #include <initializer_list>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -17,11 +15,16 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "circle.hpp"
 #include "scene.hpp"
 
 namespace example {
 
-inline constexpr float tau = 2.0f * std::numbers::pi_v<float>;
+/// A direction by columns u and rows v of a sphere, from below.
+[[nodiscard]] inline glm::vec3 on_sphere(float u, float v) {
+    const glm::vec2 around = on_circle(u), up = on_circle(0.5 * double(v));
+    return {up.y * around.y, -up.x, up.y * around.x};
+}
 
 struct vertex {
     glm::vec3 position, normal;
@@ -49,7 +52,10 @@ void add_surface(mesh& out, glm::uvec2 cells, const glm::mat4& place, glm::vec3 
 /// An upright cylinder and its lid.
 inline void add_pillar(mesh& out, glm::vec3 foot, float radius, float height, glm::vec3 color) {
     const glm::mat4 place = glm::translate(glm::mat4(1), foot);
-    const auto around = [](float u) { return glm::vec3(std::sin(u * tau), 0, std::cos(u * tau)); };
+    const auto around = [](float u) {
+        const glm::vec2 at = on_circle(u);
+        return glm::vec3(at.y, 0, at.x);
+    };
     add_surface(out, {96, 1}, place, color, [&](float u, float v) {
         return vertex{radius * around(u) + glm::vec3(0, v * height, 0), around(u)};
     });

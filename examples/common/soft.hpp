@@ -15,14 +15,15 @@
 
 #include <umbrage/core/image.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/receivers.hpp>
 
 #include "progress.hpp"
 
 namespace example {
 
-/// Visibility of receivers, by a filter that was made ready for a map.
-using look_up = std::function<void(const umbrage::receiver_planes&, umbrage::image_view<float>)>;
+/// Visibility of receivers, by a filter that was made ready for a map. Slopes count for contact hardening alone.
+using look_up = std::function<void(const umbrage::sloped_receivers&, umbrage::image_view<float>)>;
 
 /// Those of umbrage::filters::soft.
 [[nodiscard]] const std::vector<std::string>& hardening_names();
@@ -46,7 +47,8 @@ inline constexpr int variance_bits = 12;
 /// @return         nothing where no soft shadows are called so
 [[nodiscard]] std::optional<float> soft_reach(std::string_view name, float max_radius);
 
-/// @param map      z/w; outlives what is returned, as does progress
+/// @param map      z/w; outlives what is returned, as does progress. Receivers without slopes, which are empty images,
+///                 are compared as they are
 /// @throws std::invalid_argument  none of hardening_names()
 [[nodiscard]] look_up contact_hardening(std::string_view name, umbrage::image_view<const float> map,
                                         const umbrage::penumbra_params& softness, progress& progress);

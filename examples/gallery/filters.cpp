@@ -10,6 +10,8 @@
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/shader/registry.hpp>
 
+#include <biases.hpp>
+
 #include "sections.hpp"
 
 namespace gallery {
@@ -56,11 +58,15 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
     const light light = make_light(system, stage.scene, system.azimuth, system.elevation, system.map_size);
     const auto map = depth_pass(system, stage.scene, light, system.map_size);
     const glm::mat4 to_texels = umbrage::texture_matrix(light.space, map.size());
+    const bias_light by =
+        make_bias_light(light.space, light.direction, map.size(), system.reach, light.w(stage.scene.target));
     umbrage::image<glm::vec3> receivers(size, umbrage::project_coordinate(glm::vec4(0)));
     stage.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
-        const glm::vec3 point = lifted(system, light, s.position, s.face_normal, system.map_size);
-        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, point));
-        receivers[pixel] = {p.x, p.y, umbrage::biased(light.depth(system, p.z), system.epsilon)};
+        const receiver_bias bias =
+            biases::acne_free{}(by, {s.position, s.face_normal, light.direction, light.w(s.position)});
+        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, s.position));
+        const float even = light.depth(system, umbrage::biased(p.z, bias.depth));
+        receivers[pixel] = {p.x, p.y, umbrage::biased(even, system.epsilon)};
     });
 
     umbrage::image<float> visibility(size);
@@ -75,6 +81,7 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
                {{page.picture(stage.shade(system, light, visibility)), "Shaded"},
                 {page.picture(gray(visibility)), "Visibility"}},
                {{"fetches", std::to_string(most_taps)},
+                {"bias", std::string(biases::acne_free::name)},
                 {"levels in this picture", std::to_string(different)},
                 {text("%.0f receivers, best of 5", count), text("%.3f ms", ms)},
                 {"each", text("%.1f ns", ms * 1e6 / count)}},

@@ -16,6 +16,7 @@
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <biases.hpp>
+#include <names.hpp>
 #include <soft.hpp>
 
 #include "sections.hpp"
@@ -61,24 +62,31 @@ void add_soft(page& page, const scene_of_soft& on, std::string_view name, const 
     const glm::mat4 to_texels = umbrage::texture_matrix(on.light.space, on.map.size());
     const glm::vec3 nothing = umbrage::project_coordinate(glm::vec4(0));
     umbrage::image<float> x(size, nothing.x), y(size, nothing.y), depth(size, nothing.z), visibility(size);
+    const std::string_view bias_name = usual_bias(name);
+    const bool in_planes = moves_stored_depths(bias_name);
+    umbrage::image<float> slope_x(in_planes ? size : glm::ivec2(0)), slope_y(slope_x.size());
     const bias_light by = make_bias_light(on.light.space, on.light.direction, on.map.size(), on.system.reach,
                                           on.light.w(on.stage.scene.target));
     on.stage.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
-        const receiver_bias bias =
-            biases::acne_free{}(by, {s.position, s.face_normal, on.light.direction, on.light.w(s.position)});
+        receiver_bias bias;
+        with_bias(bias_name, [&](const auto& of) {
+            bias = of(by, {s.position, s.face_normal, on.light.direction, on.light.w(s.position)});
+        });
+        if (in_planes) slope_x[pixel] = bias.slope.x, slope_y[pixel] = bias.slope.y;
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, s.position));
         x[pixel] = p.x, y[pixel] = p.y;
         const float even = on.light.depth(on.system, umbrage::biased(p.z, bias.depth));
-        depth[pixel] = umbrage::biased(even, 0x1p-18f);  // floats, rounded twice
+        depth[pixel] = umbrage::biased(even, in_planes ? 0x1p-17f : 0x1p-18f);  // floats, rounded twice
     });
     progress quiet(1, true);
     look_up filter;
     const double map_ms = best_of_5([&] { filter = made(on.map.view(), quiet); });
-    const double ms = best_of_5([&] { filter({x, y, depth}, visibility.view()); });
+    const double ms = best_of_5([&] { filter({{x, y, depth}, slope_x, slope_y}, visibility.view()); });
     page.entry(name, name, about,
                {{page.picture(on.stage.shade(on.system, on.light, visibility)), "Shaded"},
                 {page.picture(gray(visibility)), "Visibility"}},
-               {{"a texel", std::to_string(bytes) + " bytes"},
+               {{"bias", std::string(bias_name)},
+                {"a texel", std::to_string(bytes) + " bytes"},
                 {text("map of %s", square(on.system.map_size).c_str()), milliseconds(map_ms)},
                 {text("%d receivers, best of 5", size.x * size.y), milliseconds(ms)}},
                together_and_alone(snippets));

@@ -4,13 +4,18 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/rg.hpp>
 
+#include <circle.hpp>
 #include <names.hpp>
+#include <scene.hpp>
 #include <srgb.hpp>
 
 #include "check.hpp"
@@ -26,7 +31,45 @@ double dark(const umbrage::image<glm::u8vec4>& mask) {
     return count / static_cast<double>(mask.texels().size());
 }
 
+/// FNV-1a over a scene's positions and normals.
+std::uint64_t digest(const example::scene& s) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const auto* vectors : {&s.geometry.positions, &s.geometry.normals})
+        for (const glm::vec3& v : *vectors)
+            for (glm::length_t i = 0; i < 3; ++i) {
+                auto bits = std::bit_cast<std::uint32_t>(v[i] + 0.0f);  // -0 as 0
+                for (int byte = 0; byte < 4; ++byte, bits >>= 8) hash = (hash ^ (bits & 255)) * 0x100000001b3u;
+            }
+    return hash;
+}
+
 }  // namespace
+
+TEST_CASE("scenes: the same floats, whatever the C library") {
+    CHECK(digest(example::default_scene()) == 11057982306718786585u);
+    CHECK(digest(example::outdoor_scene()) == 9255408022494688683u);
+    CHECK(digest(example::plain_scene()) == 6500445417939563345u);
+}
+
+TEST_CASE("scenes: points on a circle are the rounded sines, and rotations GLM's") {
+    int other = 0;
+    for (int i = -5000; i <= 5000; ++i) {
+        const double turns = i / 4096.0, angle = turns * 2 * std::numbers::pi;
+        const glm::vec2 at = example::on_circle(turns);
+        other +=
+            std::abs(double(at.x) - std::cos(angle)) > 0x1p-24 || std::abs(double(at.y) - std::sin(angle)) > 0x1p-24;
+    }
+    CHECK(other == 0);
+    CHECK(example::on_circle(0.25) == glm::vec2(0, 1));
+    CHECK(example::on_circle(-0.5) == glm::vec2(-1, 0));
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::vec3 about(0);
+        about[axis] = 1;
+        const glm::mat4 expected = glm::rotate(glm::mat4(1), 0.7f, about),
+                        got = example::rotation_about(axis, 0.35 / std::numbers::pi);
+        for (int i = 0; i < 4; ++i) CHECK(glm::length(got[i] - expected[i]) < 1e-6f);
+    }
+}
 
 TEST_CASE("shadow_render: the built-in scene, from the camera that is the default") {
     const example::finished r = run(output("default") + small);

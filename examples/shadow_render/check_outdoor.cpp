@@ -69,3 +69,17 @@ TEST_CASE("shadow_render: impossible cascades") {
     fails("--light cascades --map-size 31", 2, "--map-size");
     fails("--light spot --draw-all", 2, "--draw-all");
 }
+
+TEST_CASE("shadow_render: contact hardening keeps the shadow under eaves, which a bias for its widest radius cuts") {
+    const auto dark = [](const std::string& options) {  // on the wall of the house in the middle
+        REQUIRE(run(output("eaves") + "--scene outdoor --width 480 --height 320 --samples 1 " + options).code == 0);
+        const auto mask = picture("eaves", "visibility.png");
+        int count = 0;
+        for (int y = 180; y < 192; ++y)
+            for (int x = 240; x < 286; ++x) count += mask[{x, y}].r < 64;
+        return count;
+    };
+    const int sharp = dark("--filter hard --map-size 8192"), usual = dark("--filter pcss32");
+    CHECK(4 * usual > 3 * sharp);
+    CHECK(4 * dark("--filter pcss32 --bias acne_free") < 3 * sharp);
+}

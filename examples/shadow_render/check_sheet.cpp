@@ -18,6 +18,7 @@ const std::string tiny = "--width 48 --height 32 ";
 
 struct row {
     double error, leak;  ///< per cent
+    std::string bias;
 };
 
 /// The printed table.
@@ -28,9 +29,10 @@ std::map<std::string, row> rows(const std::string& options) {
     std::istringstream lines(r.said.substr(r.said.find("\n\n")));
     for (std::string line; std::getline(lines, line);) {
         std::istringstream columns(line);
-        std::string name, per_cent;
+        std::string name, skipped;
         row of{};
-        if (columns >> name >> of.error >> per_cent >> of.leak) out[name] = of;
+        if (columns >> name >> of.error >> skipped >> of.leak >> skipped >> skipped >> skipped >> skipped >> of.bias)
+            out[name] = of;
     }
     return out;
 }
@@ -84,6 +86,22 @@ TEST_CASE("shadow_render: errors are those against a light of the size that was 
         CHECK(wide.at(hardening).error < wide.at("tent7").error);
         CHECK(point.at(hardening).error < point.at("tent7").error);
     }
+}
+
+TEST_CASE("shadow_render: each filter has a bias under which a wide one errs by less than a hard one") {
+    const auto usual = rows("--map-size 1024"), offset = rows("--map-size 1024 --bias normal_offset");
+    for (const auto& [filter, row] : usual) {
+        CAPTURE(filter);
+        const bool hardens = filter.starts_with("pcss") || filter.starts_with("dpcf");
+        CHECK(row.bias == (hardens ? "receiver_plane" : "acne_free"));
+        CHECK(offset.at(filter).bias == "normal_offset");
+    }
+    for (const std::string wide : {"castano7", "pcss16", "dpcf16", "tent7", "box"}) {
+        CAPTURE(wide);
+        CHECK(usual.at(wide).error < usual.at("hard").error);
+        CHECK(2 * usual.at(wide).error < offset.at(wide).error);
+    }
+    CHECK(usual.at("pcss16").error < usual.at("castano7").error);
 }
 
 TEST_CASE("shadow_render: what filters cost on a GPU is read from a table, or is a dash") {

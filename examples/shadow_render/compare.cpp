@@ -112,8 +112,8 @@ void compare(const options& o, const view& v, const example::shadow_map& map, ex
     const auto& names = filter_names();
     const by_rays expected = progress.stage("rays", [&] { return traced(o, v, progress); });
     const std::vector<std::string> title{
-        text("%s: every filter over one map of %d x %d texels, %s, bias %s", title_of(o).c_str(), o.map_size,
-             o.map_size, o.encoding.c_str(), o.bias.c_str()),
+        text("%s: every filter over one map of %d x %d texels, %s, each with the bias that it names",
+             title_of(o).c_str(), o.map_size, o.map_size, o.encoding.c_str()),
         text(
             "Visibility against rays to a disc of light %g across, %g away: RMS error, and leak, its mean where no ray "
             "arrives",
@@ -130,8 +130,8 @@ void compare(const options& o, const view& v, const example::shadow_map& map, ex
 
     if (!o.quiet) {
         for (const std::string& line : title) std::printf("%s\n", line.c_str());
-        std::printf("\n%-20s %10s %10s %9s %9s %6s  %s\n", "filter", "RMS error", "leak", "map ms", "ms", "bytes",
-                    "RDNA2");
+        std::printf("\n%-20s %10s %10s %9s %9s %6s  %-14s  %s\n", "filter", "RMS error", "leak", "map ms", "ms",
+                    "bytes", "bias", "RDNA2");
     }
     for (const std::string& name : names)
         progress.stage(name, [&] {
@@ -146,12 +146,14 @@ void compare(const options& o, const view& v, const example::shadow_map& map, ex
             const double ms = best_of_5([&] { visibility = filter(receivers); });
             const double error = rms_error(expected, visibility, o.samples), leaks = leak(expected, visibility);
             const int bytes = bytes_read(with);
+            const std::string bias(bias_of(with));
             const std::string on_gpu = cost.contains(snippet) ? cost.at(snippet) : "-";
             add(visibility, {text("%s: RMS error %.2f %%, leak %.2f %%", name.c_str(), error, leaks),
-                             text("%.2f + %.2f ms, %d bytes a texel", map_ms, ms, bytes), "RDNA2 " + on_gpu});
+                             text("%.2f + %.2f ms, %d bytes a texel, bias %s", map_ms, ms, bytes, bias.c_str()),
+                             on_gpu == "-" ? "" : "RDNA2 " + on_gpu});
             if (!o.quiet)
-                std::printf("%-20s %8.2f %% %8.2f %% %9.2f %9.2f %6d  %s\n", name.c_str(), error, leaks, map_ms, ms,
-                            bytes, on_gpu.c_str());
+                std::printf("%-20s %8.2f %% %8.2f %% %9.2f %9.2f %6d  %-14s  %s\n", name.c_str(), error, leaks, map_ms,
+                            ms, bytes, bias.c_str(), on_gpu.c_str());
         });
     progress.stage("write", [&] { example::write_png(o.output / "compare.png", page.pixels().view()); });
 }

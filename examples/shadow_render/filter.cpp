@@ -5,9 +5,9 @@
 #include <memory>
 #include <utility>
 
-#include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/visibility.hpp>
 
 #include <biases.hpp>
@@ -18,41 +18,10 @@
 namespace shadow_render {
 namespace {
 
-using any_fetch = std::function<float(glm::ivec2)>;
-using any_filter = std::function<float(const any_fetch&, glm::vec2, float, glm::ivec2)>;
-
-template <class Filter>
-any_filter erased(const Filter& filter) {
-    return [=](const any_fetch& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-        if constexpr (requires { filter(fetch, coord, receiver, pixel); }) return filter(fetch, coord, receiver, pixel);
-        else return filter(fetch, coord, receiver);
-    };
-}
-
-/// A filter over stored depths that a receiver's plane moves; compiled once for all filters.
-struct on_planes {
-    any_filter filter;
-    const umbrage::image<glm::vec2>& slope;
-
-    float operator()(const any_fetch& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        return filter(umbrage::apply_receiver_plane(std::cref(fetch), slope[pixel], coord), coord, receiver, pixel);
-    }
-};
-
 umbrage::penumbra_params softness_of(const options& o, const light& lamp) {
     const float radius = 0.5f * o.light_size;
     return umbrage::make_penumbra_params(lamp.units, lamp.spot() ? radius : radius / o.distance,
                                          std::min(1.0f, o.max_radius), o.max_radius);
-}
-
-/// Calls use(filter) with the one over depths that the options choose.
-template <class Use>
-void with_filter(const options& o, const light& lamp, Use&& use) {
-    if (example::with_filter(o.filter, o.radius, use)) return;
-    umbrage::filters::soft::with(o.filter, [&](auto filter) {
-        filter.softness = softness_of(o, lamp);
-        use(filter);
-    });
 }
 
 }  // namespace
@@ -73,7 +42,8 @@ float reach_of(const options& o) {
 }
 
 bool compares_projected(const options& o) {
-    return example::hardens(o.filter) || (example::moves_stored_depths(o.bias) && !example::filters_ahead(o.filter));
+    return example::hardens(o.filter) ||
+           (example::moves_stored_depths(bias_of(o)) && !example::filters_ahead(o.filter));
 }
 int bytes_read(const options& o) {
     return example::filters_ahead(o.filter) ? example::prefilter_bytes(o.filter) : example::encoding_bytes(o.encoding);
@@ -84,7 +54,7 @@ look_up prepare(const options& o, umbrage::image_view<const float> map, const li
     const auto made = [](example::look_up by) {
         return [by = std::move(by)](const receivers& to) {
             umbrage::image<float> visibility(to.depth.size());
-            by(to.planes(), visibility.view());
+            by(to.sloped(), visibility.view());
             return visibility;
         };
     };
@@ -94,8 +64,8 @@ look_up prepare(const options& o, umbrage::image_view<const float> map, const li
     look_up out;
     if (!compares_projected(o)) {
         example::with_filter(o.filter, o.radius, [&](const auto& filter) {
-            out = made([=, &progress](const umbrage::receiver_planes& to, umbrage::image_view<float> visibility) {
-                umbrage::visibility(map, umbrage::depth32f{}, to, filter, visibility, progress.bands());
+            out = made([=, &progress](const umbrage::sloped_receivers& to, umbrage::image_view<float> visibility) {
+                umbrage::visibility(map, umbrage::depth32f{}, to.at, filter, visibility, progress.bands());
             });
         });
         return out;
@@ -104,19 +74,16 @@ look_up prepare(const options& o, umbrage::image_view<const float> map, const li
     for (int y = 0; y < map.size.y; ++y)
         std::transform(map.row(y), map.row(y) + map.size.x, projected->view().row(y),
                        [&](float depth) { return lamp.projected_depth(depth); });
-    if (!example::moves_stored_depths(o.bias)) {
+    if (example::hardens(o.filter))
         out = made(example::contact_hardening(o.filter, projected->view(), softness_of(o, lamp), progress));
-        return [projected, out](const receivers& to) { return out(to); };
-    }
-    with_filter(o, lamp, [&](const auto& filter) {
-        out = [=, &progress, by = erased(filter)](const receivers& to) {
-            umbrage::image<float> visibility(to.depth.size());
-            umbrage::visibility(std::as_const(*projected).view(), umbrage::depth32f{}, to.planes(),
-                                on_planes{by, to.slope}, visibility.view(), progress.bands());
-            return visibility;
-        };
-    });
-    return out;
+    else
+        example::with_filter(o.filter, o.radius, [&](const auto& filter) {
+            out = made([=, &progress, map = std::as_const(*projected).view()](const umbrage::sloped_receivers& to,
+                                                                              umbrage::image_view<float> visibility) {
+                umbrage::visibility(map, umbrage::depth32f{}, to, filter, visibility, progress.bands());
+            });
+        });
+    return [projected, out](const receivers& to) { return out(to); };
 }
 
 }  // namespace shadow_render

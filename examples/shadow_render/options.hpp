@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <umbrage/depth/code.hpp>
 
+#include <names.hpp>
 #include <scene.hpp>
 
 namespace shadow_render {
@@ -32,10 +34,10 @@ struct options {
     float edge = umbrage::upper_edge<float>;  ///< of a code's interval, that decoding answers
 
     std::string filter = "pcf_2x2";
-    float radius = 2;      ///< of a box, a disc or a map's blur
-    float max_radius = 8;  ///< penumbra's radius that contact hardening makes, texels
-    std::string bias = "normal_offset";
-    std::optional<float> reach{};  ///< texels that the bias covers; without one what the filter needs
+    float radius = 2;                   ///< of a box, a disc or a map's blur
+    float max_radius = 8;               ///< penumbra's radius that contact hardening makes, texels
+    std::optional<std::string> bias{};  ///< without one the filter's usual bias
+    std::optional<float> reach{};       ///< texels that the bias covers; without one what the filter needs
 
     int width = 960, height = 640, samples = 2;
     float camera_azimuth = 0, camera_elevation = 30, camera_distance = 7.5f, fov = 35;
@@ -47,6 +49,11 @@ struct options {
 
     bool quiet = false;
 };
+
+/// The bias of the options, by its name.
+[[nodiscard]] inline std::string_view bias_of(const options& o) {
+    return o.bias ? std::string_view(*o.bias) : example::usual_bias(o.filter);
+}
 
 /// What the scene is called.
 [[nodiscard]] inline std::string title_of(const options& o) {

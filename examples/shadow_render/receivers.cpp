@@ -40,8 +40,10 @@ void place_row(const view& v, const example::bias_light& light, const Bias& bias
                 at.z[i] = umbrage::biased(v.lamp.even_depth(umbrage::biased(at.z[i], off_depth[i])), error);
             if (projected)
                 for (float& z : at.z) z = v.lamp.projected_depth(z);
-            if (!out.slope.empty())
-                for (int i = 0; i < count; ++i) out.slope[{x + i, y}] = {slope_x[i], slope_y[i]};
+            if (!out.slope_x.empty()) {
+                std::copy_n(slope_x, count, out.slope_x.view().row(y) + x);
+                std::copy_n(slope_y, count, out.slope_y.view().row(y) + x);
+            }
             std::copy_n(at.x, count, to_x + x);
             std::copy_n(at.y, count, to_y + x);
             std::copy_n(at.z, count, to_depth + x);
@@ -60,11 +62,11 @@ receivers receivers_of(const view& v, const options& o, float reach, float below
         example::make_bias_light(v.lamp.space, v.lamp.direction, map_size, reach, v.lamp.w(v.scene.target));
     receivers out(v.seen.size());
     float error = rounding + below;
-    if (projected && example::moves_stored_depths(o.bias)) {
-        out.slope = umbrage::image<glm::vec2>(v.seen.size());
+    if (projected && example::moves_stored_depths(bias_of(o))) {
+        out.slope_x = out.slope_y = umbrage::image<float>(v.seen.size());
         error *= 2;  // of texels nearer to the light than the receiver z/w has more a world unit
     }
-    example::with_bias(o.bias, [&](const auto& bias) {
+    example::with_bias(bias_of(o), [&](const auto& bias) {
         progress.bands()(v.seen.size().y, [&](int first, int last) {
             for (int y = first; y < last; ++y) place_row(v, light, bias, to_texels, error, projected, y, out);
         });

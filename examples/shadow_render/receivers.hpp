@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/core/image.hpp>
+#include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/receivers.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
@@ -21,12 +22,13 @@ namespace shadow_render {
 /// Coordinates in texels and depths, biased.
 struct receivers {
     umbrage::image<float> x, y, depth;
-    umbrage::image<glm::vec2> slope{};  ///< of stored depths that the bias moves, a texel
+    umbrage::image<float> slope_x{}, slope_y{};  ///< of stored depths that the bias moves, a texel
 
     explicit receivers(glm::ivec2 size, glm::vec3 value = umbrage::project_coordinate(glm::vec4(0)))  // lit in any map
         : x(size, value.x), y(size, value.y), depth(size, value.z) {}
 
     [[nodiscard]] umbrage::receiver_planes planes() const { return {x, y, depth}; }
+    [[nodiscard]] umbrage::sloped_receivers sloped() const { return {planes(), slope_x, slope_y}; }
 };
 
 /// @param reach       texels that the options' bias covers

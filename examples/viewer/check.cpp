@@ -125,10 +125,16 @@ TEST_CASE("refusals: one line and an exit code") {
 TEST_CASE("keys: each changes what the text says it does") {
     viewer::options o;
     viewer::session s(o);
+    CHECK(s.system.bias == "normal_offset");  // the system's own, for its own filter
     s.press('F');
     CHECK(s.system.filter == "pcf_2x2");
+    CHECK(s.system.bias == "acne_free");
+    s.filter("pcss32");
+    CHECK(s.system.bias == "receiver_plane");
+    s.filter("pcf_2x2");
     for (std::size_t i = 1; i < viewer::filter_names().size(); ++i) s.press('F');
     CHECK(s.system.filter == "four_tap");  // all the way round
+    CHECK(s.system.bias == "normal_offset");
     s.press('E');
     CHECK(s.system.encoding == "rg12");
     CHECK(s.system.receiver == example::receiver_kind::plain);
@@ -147,6 +153,7 @@ TEST_CASE("keys: each changes what the text says it does") {
     CHECK(s.system.receiver == example::receiver_kind::scaled);
     s.filter("pcss16");
     CHECK(s.system.receiver == example::receiver_kind::plain);
+    CHECK(s.system.bias == "normal_offset");  // as the key chose it
     const float light_size = s.system.light_size;
     s.press('D');
     CHECK(s.system.light_size > light_size);

@@ -30,7 +30,8 @@ int soft_pixels(const picture& mask) {
 }  // namespace
 
 TEST_CASE("choices: every filter and every encoding draws, fine encodings as floats do") {
-    const std::string small = "--headless --mask --width 300 --height 200 --system dx_sdk ";
+    // an offset leaves room for what an encoding loses; the smallest bias shows it where things touch
+    const std::string small = "--headless --mask --width 300 --height 200 --system dx_sdk --bias normal_offset ";
     for (const std::string& filter : example::filter_names()) {
         const std::string with_filter = small + "--filter " + filter;
         const picture floats = viewed(with_filter + " --encoding depth32f");
@@ -61,7 +62,7 @@ TEST_CASE("choices: every bias on every system keeps what is lit lit, and shadow
                 CHECK(mask[{150, 195}] == glm::u8vec3(255));  // the floor in front
                 CHECK(mask[{148, 82}] == glm::u8vec3(0));     // the ball's shadow on the box
                 const int other = differing(mask, usual);
-                CHECK((other > 0) == (bias != "normal_offset"));
+                CHECK((other > 0) == (bias != "acne_free"));
                 CHECK(other < 0.08 * 300 * 200);
             }
         }

@@ -2,11 +2,11 @@
 #include "outdoor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/images/instances.hpp>
@@ -180,20 +180,22 @@ void outdoor::place_cascades(const session& s, const example::camera& camera) {
     splits[0] = s.camera.z_near;
     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
     const auto uniforms = umbrage::make_cascade_uniforms(cascades, cascade_fade_share);
-    glm::vec4 widths;
+    std::array<glm::mat4, 4> planes;
     make_layers(s.system.map_size, 4);
-    for (int i = 0; i < 4; ++i) {
-        const auto& c = cascades[static_cast<std::size_t>(i)];
-        draw_layer(s.scene, i, {{}, map_size_}, glm::vec3(0),
-                   {glm::dmat4(c.light.view), glm::dmat4(c.light.projection), c.light.clip});
-        widths[i] = umbrage::offset_width(s.system.reach, 1 / c.scale.x);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto& of = cascades[i].light;
+        const umbrage::light_space<double> light{glm::dmat4(of.view), glm::dmat4(of.projection), of.clip};
+        draw_layer(s.scene, static_cast<int>(i), {{}, map_size_}, glm::vec3(0), light);
+        const glm::dmat4 to_texels = umbrage::texture_matrix(light, glm::ivec2(map_size_));
+        planes[i] = glm::mat4(umbrage::plane_matrix(glm::translate(to_texels, glm::dvec3(camera.position))));
     }
     camera_->use()
         .set("ends", uniforms.ends)
         .set("rotation", uniforms.rotation)
         .set("scales", uniforms.scales)
         .set("offsets", uniforms.offsets)
-        .set("widths", widths)
+        .set("plane_matrix", planes.front(), 4)
+        .set("reach", s.system.reach)
         .set("map_size", glm::vec2(static_cast<float>(map_size_)))
         .set("epsilon", s.system.epsilon);
     note_.clear();

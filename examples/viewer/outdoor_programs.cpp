@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 
 #include <umbrage/bias/acne_free.hpp>
-#include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
@@ -49,15 +48,16 @@ vec3 face_here() { return towards(normalize(cross(dFdx(from_eye), dFdy(from_eye)
 constexpr const char* in_four_layers = R"GLSL(
 uniform vec3 ends;
 uniform mat4 rotation, scales, offsets;
-uniform vec4 widths;  // that a normal offset has to cover, of each cascade
+uniform mat4 plane_matrix[4];
+uniform float reach;
 float number, weight;
 
 float visibility_in(float number, vec3 face) {
-    vec3 offset = umbrage_normal_offset(face, light_direction, light_direction, widths[int(number)], 0.0);
-    vec3 turned = umbrage_shadow_coordinate(rotation, eye + from_eye + offset).xyz;
+    vec3 turned = umbrage_shadow_coordinate(rotation, eye + from_eye).xyz;
     vec3 p = umbrage_cascade_coordinate(turned, umbrage_cascade_column(scales, number),
                                         umbrage_cascade_column(offsets, number));
-    return filtered(number, p, p.z - epsilon);
+    vec2 slope = umbrage_plane_slope(plane_matrix[int(number)], face, from_eye);
+    return filtered(number, p, p.z - epsilon - umbrage_acne_free_bias(slope, reach, 0.0));
 }
 
 float visibility_here(vec3 face) {
@@ -212,8 +212,8 @@ stages outdoor_camera_stages(const session& s) {
     std::string ahead, visibility_here = std::string(one_face) + in_a_face;
     if (s.cascaded()) {
         visibility_here = in_four_layers;
-        more = {glsl::cascade_by_depth, glsl::cascade_column, glsl::cascade_coordinate,
-                glsl::cascade_fade,     glsl::blend_cascades, glsl::normal_offset};
+        more = {glsl::cascade_by_depth, glsl::cascade_column, glsl::cascade_coordinate, glsl::cascade_fade,
+                glsl::blend_cascades,   glsl::plane_slope,    glsl::acne_free_bias};
     }
     if (s.paged()) {
         visibility_here = in_a_page;

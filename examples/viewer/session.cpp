@@ -108,6 +108,7 @@ void session::select(const example::shadow_system& s) {
     const bool other_scene =
         scenes == 0 || s.scene_scale != system.scene_scale || outdoor() != (s.name == outdoor_system.name);
     system = s;
+    bias_chosen_ = false;
     if (other_scene) {
         scene = outdoor() ? in_parts(ground_called(ground_).make()) : example::make_scene(system, mesh_file_, up_);
         ++scenes;
@@ -147,6 +148,8 @@ void session::filter(std::string_view name) {
     if (es2 && example::filters_ahead(name))
         throw example::usage_error("OpenGL ES 2 has no float maps for the filter " + std::string(name));
     system.filter = listed(filter_names(), name);
+    const example::shadow_system& original = system_called(system.name);
+    if (!bias_chosen_) system.bias = name == original.filter ? original.bias : example::usual_bias(name);
     system.reach =
         example::covered(example::soft_reach(name, system.max_radius).value_or(example::reach_of(name, system.radius)));
     settle_receiver();
@@ -159,6 +162,7 @@ void session::radius(float texels) {
 
 void session::bias(std::string_view name) {
     system.bias = listed(example::bias_names(), name);
+    bias_chosen_ = true;
     settle_receiver();
 }
 
@@ -249,7 +253,7 @@ std::string session::describe() const {
     if (system.radius) out << " (radius " << *system.radius << " if any)";
     if (example::hardens(system.filter)) out << " (light " << system.light_size << " across)";
     const int edge = outdoor() && !cascaded() ? 2 * system.map_size : system.map_size;
-    out << "\nbias " << (outdoor() && !cascaded() ? "acne_free" : system.bias) << ", epsilon " << system.epsilon
+    out << "\nbias " << system.bias << ", epsilon " << system.epsilon
         << (outdoor() && cascaded() ? "\n4 cascades, "
             : outdoor() && paged()  ? "\npages in "
             : outdoor() && lamp()   ? "\nas many texels as "

@@ -55,6 +55,7 @@ inline constexpr example::shadow_system outdoor_system{
     .depth = example::depth_kind::projected,
     .filter = "pcf_2x2",
     .epsilon = 0x1p-16f,
+    .bias = "acne_free",
     .reach = example::covered(umbrage::filters::pcf_2x2{}.reach()),
 };
 
@@ -83,7 +84,7 @@ public:
     /// @param name  one of example::encoding_names()
     /// @throws example::usage_error  it does not run on OpenGL ES 2
     void encode(std::string_view name);
-    /// @param name  one of filter_names(); the bias covers its reach
+    /// @param name  one of filter_names(); the bias covers its reach, and is its usual one unless bias() chose another
     /// @throws example::usage_error  it does not run on OpenGL ES 2
     void filter(std::string_view name);
     void radius(float texels);  ///< of a box, a disc or a blur
@@ -113,6 +114,7 @@ private:
     std::string ground_;
     std::filesystem::path mesh_file_;
     example::up_axis up_;
+    bool bias_chosen_ = false;
 };
 
 }  // namespace viewer

@@ -13,12 +13,14 @@
 #include <umbrage/images/filter_bounds.hpp>
 #include <umbrage/images/instances.hpp>
 #include <umbrage/images/light_choice.hpp>
+#include <umbrage/images/light_visibility.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/min_max.hpp>
 #include <umbrage/images/moment_table.hpp>
 #include <umbrage/images/overlay.hpp>
 #include <umbrage/images/page_atlas.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/quality.hpp>
 #include <umbrage/images/rasterize.hpp>

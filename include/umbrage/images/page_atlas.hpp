@@ -9,7 +9,7 @@
 //     });
 //     umbrage::image<glm::u8vec4> table(umbrage::page_table_size(cache));
 //     umbrage::write_page_table(cache, table);
-//     umbrage::page_visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
+//     umbrage::visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
 #pragma once
 
@@ -90,7 +90,7 @@ namespace detail {
 template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding& encoding, const Receivers& receivers,
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
-    constexpr auto function = "page_visibility";
+    constexpr auto function = "visibility";
     const int side = map.table.size.x, pitch = map.size.pitch();
     require(size_of(receivers) == out.size, function, "out", "must have the receivers' size");
     require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table",
@@ -125,21 +125,21 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 ///                                beyond the atlas, a gutter below the filter's reach
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
-void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                     image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                     ParallelFor&& parallel = {}) {
+void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
     detail::filter_pages(map, encoding, receivers, filter, out, parallel);
 }
 template <class Encoding, class Filter, class ParallelFor = serial>
-void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                     const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                     ParallelFor&& parallel = {}) {
+void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                const receiver_planes& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
     detail::filter_pages(map, encoding, receivers, filter, out, parallel);
 }
 template <class Encoding, class Filter, class ParallelFor = serial>
-void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                     const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                     ParallelFor&& parallel = {}) {
+void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                const depth_receivers& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
     detail::filter_pages(map, encoding, receivers, filter, out, parallel);
 }
 

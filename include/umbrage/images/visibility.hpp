@@ -96,7 +96,7 @@ template <class Receivers, class Blocks, class Edge>
 void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out, int first,
                  int last) {
     const bool large = past_cache(out);
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
+    const auto all_rows = [&](auto set) UMBRAGE_INLINE {
         constexpr unsigned ring = 4;  // blocks on their way
         constexpr bool in_tiles = requires { typename Blocks::tile; };
         typename Blocks::placed placed[ring];
@@ -133,7 +133,9 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& e
             }
             at.step();
         }
-    });
+    };
+    if constexpr (requires { Blocks::rounds; }) on_best_isa_without_fma(all_rows);
+    else on_best_isa(all_rows);
     if (large) finish_streaming();
 }
 

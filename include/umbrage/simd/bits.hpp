@@ -52,6 +52,12 @@ template <bool Forward>
                                    (detail::bit_cast<std::int32_t>(b) & ~mask));
 }
 
+/// Mask of the depths that apply_receiver_plane takes for the far plane's: closer to it than 2^-64.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t cleared_mask(float depth, float cleared) {
+    const std::int32_t apart = detail::bit_cast<std::int32_t>(depth - cleared) & 0x7FFFFFFF;
+    return -std::int32_t(apart < detail::bit_cast<std::int32_t>(0x1p-64f));
+}
+
 /// less_equal as 0 or 1, NaN 0 whatever the compiler believes.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
     if constexpr (finite_math_only)

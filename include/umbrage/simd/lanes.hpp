@@ -103,6 +103,18 @@ UMBRAGE_INLINE inline void keep_where(const lanes_of<std::int32_t, Count>& mask,
 }
 
 template <int Count>
+UMBRAGE_INLINE inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
+                                         lanes_of<float, Count>& texels) {
+    using bits = lanes_of<std::int32_t, Count>;
+    lanes_of<float, Count> column;
+    count_lanes<float, Count>(column);
+    const lanes_of<float, Count> along = slope * (column + first + 0.5f - x);
+    const lanes_of<float, Count> before = texels - cleared, at = texels - (along + beside);
+    const bits is_cleared = (reinterpret_cast<bits>(before) & 0x7FFFFFFF) < detail::bit_cast<std::int32_t>(0x1p-64f);
+    texels = is_cleared ? texels : at;
+}
+
+template <int Count>
 UMBRAGE_INLINE inline void add_products(const lanes_of<float, Count>& a, const lanes_of<float, Count>& b,
                                         lanes_of<float, 4>& sums) {
     const lanes_of<float, Count> products = a * b;

@@ -95,6 +95,17 @@ inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes
     for (int i = 0; i < Count; ++i) v[i] = masked(v[i], mask[i]);
 }
 
+/// apply_receiver_plane of a row of texels from column `first` on.
+/// @param slope, x   of the receiver, along the row;   beside  what the row's distance from it adds to the plane
+template <int Count>
+inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
+                          plain_lanes<float, Count>& texels) {
+    for (int i = 0; i < Count; ++i) {
+        const float along = slope * (static_cast<float>(i) + first + 0.5f - x);
+        texels[i] = select(cleared_mask(texels[i], cleared), texels[i], texels[i] - (along + beside));
+    }
+}
+
 /// Adds products to a register of four, lane by lane and round about; none rounds.
 template <int Count>
 inline void add_products(const plain_lanes<float, Count>& a, const plain_lanes<float, Count>& b,

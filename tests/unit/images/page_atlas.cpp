@@ -112,7 +112,7 @@ TEST_CASE("draw_pages: culled or not, the same bits; what page_light shows; othe
     CHECK(untouched == scene.atlas.texels().size() - drawn);
 }
 
-TEST_CASE("page_visibility: the filter over each receiver's page, for every form of receivers, split or not") {
+TEST_CASE("visibility: the filter over each receiver's page, for every form of receivers, split or not") {
     for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
         const paged_scene scene({.range = umbrage::depth_range::zero_to_one, .direction = direction});
         const auto receivers = scene.receivers();
@@ -120,14 +120,14 @@ TEST_CASE("page_visibility: the filter over each receiver's page, for every form
         const umbrage::depth32f encoding{.direction = direction};
         umbrage::image<float> out(receivers.size(), -1.0f), split(out), planes(out);
         const umbrage::page_map<float> map{scene.atlas, scene.table, scene.size};
-        umbrage::page_visibility(map, encoding, receivers, filter, out);
-        umbrage::page_visibility(map, encoding, receivers, filter, split, last_piece_first{7});
+        umbrage::visibility(map, encoding, receivers, filter, out);
+        umbrage::visibility(map, encoding, receivers, filter, split, last_piece_first{7});
         umbrage::image<float> x(out), y(out), z(out);
         for (std::size_t i = 0; i < x.texels().size(); ++i) {
             const glm::vec3 r = receivers.texels()[i];
             x.texels()[i] = r.x, y.texels()[i] = r.y, z.texels()[i] = r.z;
         }
-        umbrage::page_visibility(map, encoding, umbrage::receiver_planes{x, y, z}, filter, planes);
+        umbrage::visibility(map, encoding, umbrage::receiver_planes{x, y, z}, filter, planes);
         int dark = 0, between = 0;
         for (std::size_t i = 0; i < x.texels().size(); ++i) {
             const glm::vec3 r = receivers.texels()[i];
@@ -146,36 +146,35 @@ TEST_CASE("page_visibility: the filter over each receiver's page, for every form
     }
 }
 
-TEST_CASE("page_visibility: an atlas of codes; cells without a page are lit") {
+TEST_CASE("visibility: an atlas of codes; cells without a page are lit") {
     const paged_scene scene(umbrage::cpu_clip_space);
     const umbrage::rg<16> encoding{};
     umbrage::image<glm::u8vec2> codes(scene.atlas.size());
     umbrage::encode(scene.atlas, codes.view(), encoding);
     const auto receivers = scene.receivers();
     umbrage::image<float> out(receivers.size()), plain(receivers.size());
-    umbrage::page_visibility({codes, scene.table, scene.size}, encoding, receivers, umbrage::filters::hard{}, out);
-    umbrage::page_visibility({scene.atlas, scene.table, scene.size}, umbrage::depth32f{}, receivers,
-                             umbrage::filters::hard{}, plain);
+    umbrage::visibility({codes, scene.table, scene.size}, encoding, receivers, umbrage::filters::hard{}, out);
+    umbrage::visibility({scene.atlas, scene.table, scene.size}, umbrage::depth32f{}, receivers,
+                        umbrage::filters::hard{}, plain);
     int differ = 0;
     for (std::size_t i = 0; i < out.texels().size(); ++i) differ += out.texels()[i] != plain.texels()[i];
     CHECK(differ <= 2);
     const umbrage::image<glm::u8vec4> none({18, 18});
-    umbrage::page_visibility({scene.atlas, none, scene.size}, umbrage::depth32f{}, receivers, umbrage::filters::hard{},
-                             out);
+    umbrage::visibility({scene.atlas, none, scene.size}, umbrage::depth32f{}, receivers, umbrage::filters::hard{}, out);
     for (const float visibility : out.texels())
         if (visibility != 1.0f) CHECK(visibility == 1.0f);
 }
 
-TEST_CASE("draw_pages, write_page_table, page_visibility: bad input") {
+TEST_CASE("draw_pages, write_page_table, visibility: bad input") {
     paged_scene scene(umbrage::cpu_clip_space);
     const auto receivers = scene.receivers();
     umbrage::image<float> out(receivers.size()), small({3, 3});
     const auto seen = [&](umbrage::page_map<float> map, umbrage::image<float>& into) {
         return complaint([&] {
-            umbrage::page_visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::box{.radius = 3}, into);
+            umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::box{.radius = 3}, into);
         });
     };
-    const std::string name = "umbrage::page_visibility: ";
+    const std::string name = "umbrage::visibility: ";
     const umbrage::page_map<float> map{scene.atlas, scene.table, scene.size};
     CHECK(seen(map, out).empty());
     CHECK(seen(map, small).starts_with(name + "out "));

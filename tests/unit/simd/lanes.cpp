@@ -96,7 +96,23 @@ void check_least() {
     }
 }
 
+/// A row of depths on a plane, its second cleared.
+template <template <class, int> class Lanes, int Count>
+void check_plane() {
+    Lanes<float, Count> texels;
+    for (int i = 0; i < Count; ++i) texels[i] = i == 1 ? 1.0f : 0.25f + 0.0625f * static_cast<float>(i);
+    move_to_plane<Count>(0.0625f, 5.0f, 5.5f, 0.0625f, 1.0f, texels);
+    for (int i = 0; i < Count; ++i) CHECK(float(texels[i]) == (i == 1 ? 1.0f : 0.1875f));
+}
+
 }  // namespace
+
+TEST_CASE("lanes: texels move along a plane, but cleared ones") {
+    check_plane<lanes_of, 4>();
+    check_plane<lanes_of, 8>();
+    check_plane<plain_lanes, 4>();
+    check_plane<plain_lanes, 8>();
+}
 
 TEST_CASE("lanes: a running sum, and its last in all lanes") {
     check_running_sum<std::uint32_t, 4>({1, 2, 0xFFFFFFFF, 7}, {1, 3, 2, 9});

@@ -9,7 +9,9 @@
 //
 // A disc as wide as the light, seen from the receiver, is searched for blockers; their mean distance gives the
 // penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, rotation and
-// bias: one that is acne-free for the widest radius is so for all.
+// bias: one that is acne-free for the widest radius is so for all. But it is too large for most receivers: under eaves, whose
+// casters are nearer to the wall than the bias, only some turns of the disc find a blocker, and the shadow falls into
+// stripes. Compared along its plane (receiver_plane.hpp) a receiver needs no bias for any radius.
 #pragma once
 
 #include <array>

@@ -15,6 +15,7 @@
 #include <umbrage/core/config.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/images/blocks/form.hpp>
+#include <umbrage/images/blocks/planes.hpp>
 #include <umbrage/images/blocks/receivers.hpp>
 #include <umbrage/images/blocks/texels.hpp>
 #include <umbrage/simd/lanes.hpp>
@@ -91,8 +92,8 @@ struct disc_blocks {
         }
     }
 
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
+    template <class Placed, class Isa>
+    UMBRAGE_INLINE void operator()(const Placed& at, int, float* visibility, Isa set) const {
         if constexpr (Isa::value != isa::base) {
             near_texels texels;
             if (points >= 2 * near_rows && find_near(at, texels))
@@ -128,9 +129,9 @@ private:
         return all != 0;
     }
 
-    template <int Lanes>
-    UMBRAGE_INLINE void count_near(const placed& at, near_texels& texels, float* visibility) const {
-        for (int i = 0; i < block; ++i) compare_near(at.z[i], texels.offsets[i], texels.upper[i], texels.lower[i]);
+    template <int Lanes, class Placed>
+    UMBRAGE_INLINE void count_near(const Placed& at, near_texels& texels, float* visibility) const {
+        for (int i = 0; i < block; ++i) compare_near(at, i, texels.offsets[i], texels.upper[i], texels.lower[i]);
         const auto& row = taps.of[static_cast<std::size_t>(at.row)];
         for (int i = 0; i < block; i += Lanes) {
             lanes_of<std::uint32_t, Lanes> from, upper, lower, tap, lit{};
@@ -152,22 +153,27 @@ private:
     }
 
     /// Which texels are lit, as mask_bits of rows 0 to 3 and of 4 to 6.
-    UMBRAGE_INLINE void compare_near(float receiver, std::int32_t offset, std::uint32_t& upper,
+    template <class Placed>
+    UMBRAGE_INLINE void compare_near(const Placed& at, int i, std::int32_t offset, std::uint32_t& upper,
                                      std::uint32_t& lower) const {
         const texel_bytes memory(map);
+        const auto on_planes =
+            rows_on_planes<near_columns>(at, i, (at.x[i] >> 8) - near_before, (at.y[i] >> 8) - near_before, near_rows);
         const std::byte* from = memory.data + offset;
         lanes_of<std::int32_t, near_columns> lit[8]{};
         lanes_of<float, near_columns> texels;
 #pragma GCC unroll 7
         for (int y = 0; y < near_rows; ++y, from += memory.stride) {
             load_lanes(from, texels);
-            lit_lanes<near_columns, test::forward>(receiver, texels, lit[y]);
+            on_planes.move(0, y, texels);
+            lit_lanes<near_columns, test::forward>(at.z[i], texels, lit[y]);
         }
         upper = mask_bits(lit);
         lower = mask_bits(lit + 4);
     }
 
-    UMBRAGE_INLINE void count_all(const placed& at, float* visibility) const {
+    template <class Placed>
+    UMBRAGE_INLINE void count_all(const Placed& at, float* visibility) const {
         const float_texels of_map{map};
         const texel_bytes memory(map);
         const int last_x = map.size.x - 1, last_y = map.size.y - 1;
@@ -180,6 +186,9 @@ private:
                 offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
                                            clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
             texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            move_texels(
+                at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + tap.x[i]) >> 8; },
+                [&](int i) UMBRAGE_INLINE { return (at.y[i] + tap.y[i]) >> 8; }, texels.depths);
             for (int i = 0; i < block; ++i) lit[i] += static_cast<std::uint32_t>(test::lit(at.z[i], texels.one(i)));
         }
         take_share(at, lit, visibility);

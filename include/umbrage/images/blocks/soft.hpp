@@ -45,8 +45,8 @@ struct soft_blocks : disc_blocks<Direction> {
           min_radius(static_cast<std::int32_t>(filter.softness.min_radius)),
           max_radius(static_cast<std::int32_t>(filter.softness.max_radius)) {}
 
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
+    template <class Placed, class Isa>
+    UMBRAGE_INLINE void operator()(const Placed& at, int, float* visibility, Isa set) const {
         out_of_line(set, [&](auto) UMBRAGE_INLINE { soften(at, visibility); });
     }
 
@@ -62,8 +62,8 @@ private:
     }
 
     /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.
-    template <class Use>
-    UMBRAGE_INLINE void for_each_tap(const placed& at, const std::int32_t* radii, const Use& use) const {
+    template <class Placed, class Use>
+    UMBRAGE_INLINE void for_each_tap(const Placed& at, const std::int32_t* radii, const Use& use) const {
         const float_texels of_map{this->map};
         const texel_bytes memory(this->map);
         const int last_x = this->map.size.x - 1, last_y = this->map.size.y - 1;
@@ -75,11 +75,15 @@ private:
                 offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
                                            clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
             texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            move_texels(
+                at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8; },
+                [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8; }, texels.depths);
             use(texels);
         }
     }
 
-    UMBRAGE_INLINE void soften(const placed& at, float* visibility) const {
+    template <class Placed>
+    UMBRAGE_INLINE void soften(const Placed& at, float* visibility) const {
         alignas(64) std::int32_t codes[block], searched[block], radii[block], blocked[block]{}, sums[block]{};
         for (int i = 0; i < block; ++i) {
             codes[i] = distance_code_of(at.z[i]);

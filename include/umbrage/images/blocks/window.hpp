@@ -11,6 +11,7 @@
 
 #include <umbrage/filter/pcf/windows.hpp>
 #include <umbrage/images/blocks/form.hpp>
+#include <umbrage/images/blocks/planes.hpp>
 #include <umbrage/images/blocks/receivers.hpp>
 #include <umbrage/images/blocks/texels.hpp>
 #include <umbrage/simd/lanes.hpp>
@@ -74,15 +75,15 @@ struct window_blocks {
         prefetch(memory, at.offsets, last_y < 0 ? 1 : row.touched());
     }
 
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+    template <class Placed, class Isa>
+    UMBRAGE_INLINE void operator()(const Placed& at, int count, float* visibility, Isa set) const {
         out_of_line(set,
                     [&](auto) UMBRAGE_INLINE { weigh_all<Isa::value == isa::base ? 4 : 8>(at, count, visibility); });
     }
 
 private:
-    template <int Lanes>
-    UMBRAGE_INLINE void weigh_all(const placed& at, int count, float* visibility) const {
+    template <int Lanes, class Placed>
+    UMBRAGE_INLINE void weigh_all(const Placed& at, int count, float* visibility) const {
         alignas(64) float sums[block]{};
         if (map.size.x >= loaded() && map.size.y >= row.touched()) {
             if (Lanes == 8 && row.touched() == 4) weigh_inside<4, 1, 4>(at, count, sums);
@@ -102,23 +103,27 @@ private:
     }
 
     /// Four rows of four texels, two in a register.
-    UMBRAGE_INLINE void weigh_four_rows(const std::byte* texels, std::ptrdiff_t stride, float receiver,
+    template <class Placed>
+    UMBRAGE_INLINE void weigh_four_rows(const Placed& at, int i, const std::byte* texels, std::ptrdiff_t stride,
                                         const float* rows, const float* columns, lanes_of<float, 4>& sum) const {
+        const auto on_planes = rows_on_planes<4>(at, i, at.x[i], at.y[i], 4);
         lanes_of<float, 4> upper, lower, weights_of_rows;
         lanes_of<float, 8> two_rows, first, second;
         lanes_of<std::int32_t, 8> mask;
-        const auto keep_lit = [&](const std::byte* from, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
-            load_lanes(from, upper);
-            load_lanes(from + stride, lower);
+        const auto keep_lit = [&](int j, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
+            load_lanes(texels + j * stride, upper);
+            load_lanes(texels + (j + 1) * stride, lower);
+            on_planes.move(0, j, upper);
+            on_planes.move(0, j + 1, lower);
             shuffle<0, 1, 2, 3, 4, 5, 6, 7>(upper, lower, two_rows);
-            lit_lanes<8, test::forward>(receiver, two_rows, mask);
+            lit_lanes<8, test::forward>(at.z[i], two_rows, mask);
             keep_where<8>(mask, weight);
         };
         load_lanes(rows, weights_of_rows);
         shuffle<0, 0, 0, 0, 1, 1, 1, 1>(weights_of_rows, weights_of_rows, first);
         shuffle<2, 2, 2, 2, 3, 3, 3, 3>(weights_of_rows, weights_of_rows, second);
-        keep_lit(texels, first);
-        keep_lit(texels + 2 * stride, second);
+        keep_lit(0, first);
+        keep_lit(2, second);
         first += second;
         shuffle<0, 1, 2, 3>(first, first, upper);
         shuffle<4, 5, 6, 7>(first, first, lower);
@@ -127,15 +132,16 @@ private:
     }
 
     /// All of them: those that are not inside weigh the map's first texels.
-    template <int Lanes, int Registers, int Rows = 0>
-    UMBRAGE_INLINE void weigh_inside(const placed& at, int count, float* sums) const {
+    template <int Lanes, int Registers, int Rows = 0, class Placed>
+    UMBRAGE_INLINE void weigh_inside(const Placed& at, int count, float* sums) const {
         const texel_bytes memory(map);
         const int touched = row.touched();
         const auto weigh = [&](int i, lanes_of<float, 4>& sum) UMBRAGE_INLINE {
             const float *rows = weights.of[at.moved_y[i]], *columns = weights.of[at.moved_x[i]];
             if constexpr (Rows == 4)
-                return weigh_four_rows(memory.data + at.offsets[i], memory.stride, at.z[i], rows, columns, sum);
+                return weigh_four_rows(at, i, memory.data + at.offsets[i], memory.stride, rows, columns, sum);
             sum = lanes_of<float, 4>{};
+            const auto on_planes = rows_on_planes<Lanes>(at, i, at.x[i], at.y[i], touched);
 #pragma GCC unroll 4
             for (int r = 0; r < Registers; ++r) {
                 const std::byte* from = memory.data + at.offsets[i] + std::size_t(r) * Lanes * sizeof(float);
@@ -143,6 +149,7 @@ private:
                 lanes_of<std::int32_t, Lanes> mask;
                 for (int j = 0; j < touched; ++j) {
                     load_lanes(from, texels);
+                    on_planes.move(r * Lanes, j, texels);
                     lit_lanes<Lanes, test::forward>(at.z[i], texels, mask);
                     add_where<Lanes>(mask, rows[j], lit);
                     from += memory.stride;
@@ -162,13 +169,17 @@ private:
         }
     }
 
-    [[nodiscard]] float weigh_at_border(const placed& at, int i) const {
+    template <class Placed>
+    [[nodiscard]] float weigh_at_border(const Placed& at, int i) const {
         const float *columns = weights.of[at.moved_x[i]], *rows = weights.of[at.moved_y[i]];
         float sum = 0.0f;
         for (int j = 0; j < row.touched(); ++j) {
             const float* texels = texel_at(map, 0, clamp_int(at.y[i] + j, map.size.y - 1));
-            for (int k = 0; k < row.touched(); ++k)
-                if (test::lit(at.z[i], texels[clamp_int(at.x[i] + k, map.size.x - 1)])) sum += rows[j] * columns[k];
+            for (int k = 0; k < row.touched(); ++k) {
+                const float stored = texels[clamp_int(at.x[i] + k, map.size.x - 1)];
+                if (test::lit(at.z[i], moved_texel(at, i, stored, at.x[i] + k, at.y[i] + j)))
+                    sum += rows[j] * columns[k];
+            }
         }
         return sum;
     }

@@ -194,13 +194,28 @@ struct cascade_uniforms {
     glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
 };
 
+namespace detail {
+
+/// Scale and offset of a cascade's cascade_fade; zeros where nothing fades.
+template <real T>
+[[nodiscard]] glm::vec<2, T> fade_of(T begin, T end, T fade) {
+    const T width = fade * (end - begin);
+    return width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
+}
+
+}  // namespace detail
+
+/// Uniforms of up to four cascades: cascade_column and cascade_by_projection take no more. Warped cascades have a
+/// matrix each, and uniforms of any number: warped.hpp.
 /// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
 ///               overlap must have been asked for
 /// @return       where there are fewer than four, nothing falls into the others by depth or by projection
 /// @throws std::invalid_argument  fade out of range
 template <real T, std::size_t Count>
 [[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
-    static_assert(Count >= 1 && Count <= 4);
+    static_assert(Count >= 1 && Count <= 4,
+                  "umbrage::make_cascade_uniforms: one to four cascades, as cascade_column and cascade_by_projection "
+                  "take four");
     detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
     cascade_uniforms<T> u;
     u.rotation = cascades[0].light.view;
@@ -213,10 +228,9 @@ template <real T, std::size_t Count>
         const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
         u.scales[i] = c.scale;
         u.offsets[i] = c.offset;
-        if (const T width = fade * (c.end - c.begin); width > T(0)) {
-            u.scales[i].w = T(1) / width;
-            u.offsets[i].w = T(1) - c.end / width;
-        }
+        const glm::vec<2, T> fades = detail::fade_of(c.begin, c.end, fade);
+        u.scales[i].w = fades.x;
+        u.offsets[i].w = fades.y;
         if (i + 1 < static_cast<glm::length_t>(Count)) u.ends[i] = c.end;
     }
     return u;

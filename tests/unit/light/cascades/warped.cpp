@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
+#include <umbrage/light/cascades/blend.hpp>
+#include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -73,6 +76,57 @@ TEST_CASE_TEMPLATE("make_warped_cascades: each holds its part and overlap, with 
             CHECK(least == doctest::Approx(4).epsilon(0.001));
         }
     }
+}
+
+TEST_CASE_TEMPLATE("make_cascade_uniforms: warped cascades of any number, chosen by depth, look up what their own do",
+                   T, float, double) {
+    const auto check = [&]<std::size_t Count>(const std::array<T, Count + 1>& splits) {
+        const frustum<T> camera{.position = {1, 2, 0}, .direction = {0, 0, -1}};
+        const cascade_fit<T> fit{.camera = camera,
+                                 .direction = {1, -2, T(0.5)},
+                                 .scene = {glm::vec<3, T>(-60), glm::vec<3, T>(60)},
+                                 .map_size = 256,
+                                 .margin = 4,
+                                 .overlap = T(0.25),
+                                 .clip = cpu_clip_space};
+        const auto cascades = make_warped_cascades<Count>(
+            fit, splits, [](const auto& part) { return fit_light_space_perspective(part); });
+        const auto u = make_cascade_uniforms(cascades, fit.map_size, T(0.25));
+        for (T depth = splits[0]; depth < splits[Count]; depth += T(0.0625)) {
+            std::size_t expected = 0;
+            while (depth >= splits[expected + 1]) ++expected;
+            T number = 0;
+            for (const auto& ends : u.ends) number += cascade_by_depth(depth, ends);
+            REQUIRE(static_cast<std::size_t>(number) == expected);
+            const auto& c = cascades[expected];
+            CHECK(c.begin == splits[expected]);
+            CHECK(c.end == splits[expected + 1]);
+            const T weight = cascade_fade(depth, u.fades[expected].x, u.fades[expected].y);
+            const T share = (depth - c.begin) / (c.end - c.begin);
+            CHECK(double(weight) == doctest::Approx(double(share <= T(0.75) ? T(0) : 4 * share - 3)).epsilon(0.01));
+            // a point of the next cascade's share of this one lies in both maps
+            const glm::vec<3, T> world = camera.position + depth * camera.direction;
+            const std::size_t last = weight > 0 && expected + 1 < Count ? expected + 1 : expected;
+            for (std::size_t i = expected; i <= last; ++i) {
+                const glm::vec<3, T> at = project_coordinate(shadow_coordinate(u.to_texels[i], world));
+                for (const T edge : {at.x, 256 - at.x, at.y, 256 - at.y}) CHECK(edge > T(3.9));
+            }
+        }
+    };
+    check.template operator()<1>({1, 20});
+    check.template operator()<3>({1, 4, 10, 20});
+    check.template operator()<4>({1, 4, 10, 20, 40});
+    check.template operator()<5>({1, 4, 10, 20, 30, 40});
+    check.template operator()<8>({1, 2, 4, 7, 10, 15, 20, 30, 40});
+}
+
+TEST_CASE("make_cascade_uniforms: bad input, of warped cascades") {
+    const auto complain = [](int map_size, float fade) {
+        return complaint([&] { (void)make_cascade_uniforms(std::array<warped_cascade<float>, 2>{}, map_size, fade); });
+    };
+    CHECK(complain(0, 0).starts_with("umbrage::make_cascade_uniforms: map_size "));
+    for (const float fade : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()})
+        CHECK(complain(64, fade).starts_with("umbrage::make_cascade_uniforms: fade "));
 }
 
 TEST_CASE("make_warped_cascades: bad input") {

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+//
+// Which blocks a filter has for receivers that are compared along their own planes, and those blocks.
+//
+// At the map's border a clamped texel keeps its own place on the plane, so that a form which clamps is right only where
+// a filter stays inside the map: plane_visibility.hpp calls the filter itself for the rest.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/images/blocks/planes.hpp>
+
+namespace umbrage::detail {
+
+/// A filter's blocks for receivers with planes.
+template <class Blocks>
+struct plane_blocks {
+    static constexpr bool rounds = true;  ///< products of slopes: no FMA
+    struct placed : Blocks::placed {
+        plane_block planes;
+    };
+    const Blocks& of;
+    float cleared;  ///< depth of the far plane
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
+        if constexpr (requires { of.place(receivers, at, pixel_y); }) of.place(receivers, at, pixel_y);
+        else of.place(receivers, at);
+        at.planes.copy(receivers, cleared);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        of(at, count, visibility, set);
+    }
+};
+
+/// Boxes of any radius; of radius 0 the receiver's own texel.
+template <depth_direction Direction>
+struct plane_box_blocks {
+    using test = block_test<Direction>;
+    static constexpr int lanes = 8;
+    using ints = lanes_of<std::int32_t, lanes>;
+    struct placed {
+        alignas(64) std::int32_t x[block], y[block], inside[block], compared[block];  ///< first texel of the box
+        alignas(64) float z[block];
+    };
+    image_view<const float> map;
+    int radius;
+
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map);
+        const int last_x = map.size.x - side(), last_y = map.size.y - side(), before = radius;
+        alignas(64) std::int32_t offsets[block];
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), at.compared[i])) - before;
+            const std::int32_t y = floor_int(masked(receivers.y(i), at.compared[i])) - before;
+            const std::int32_t inside = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            offsets[i] = memory.offset(x & inside, y & inside);
+            at.inside[i] = inside & at.compared[i] & number_mask(receivers.z(i));
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = receivers.z(i);
+        }
+        prefetch(memory, offsets, last_y < 0 ? 1 : side());
+    }
+    template <class Placed, class Isa>
+    UMBRAGE_INLINE void operator()(const Placed& at, int count, float* visibility, Isa set) const {
+        out_of_line(set, [&](auto) UMBRAGE_INLINE {
+            std::int32_t window[24 + lanes]{};
+            for (int i = 0; i < side(); ++i) window[i] = -1;
+            alignas(64) std::int32_t lit[block]{};
+            for (int i = 0; i < count; ++i)
+                if (at.inside[i]) lit[i] = count_box(at, i, window);
+            const float scale = box_scale<float>(radius);
+            for (int i = 0; i < block; ++i)
+                visibility[i] = select(-std::int32_t(lit[i] == side() * side()) | ~at.compared[i], 1.0f,
+                                       static_cast<float>(lit[i]) * scale);
+        });
+    }
+
+private:
+    /// @param window   lanes of a row that the box has: all bits
+    template <class Placed>
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count_box(const Placed& at, int i, const std::int32_t* window) const {
+        const int x = at.x[i], y = at.y[i], registers = (side() + lanes - 1) / lanes;
+        if (x + registers * lanes > map.size.x) {  // a register would end outside the map
+            std::int32_t lit = 0;
+            for (int row = y; row < y + side(); ++row)
+                for (int column = x; column < x + side(); ++column) {
+                    const float stored = *texel_at(map, column, row);
+                    lit += test::lit(at.z[i], moved_texel(at, i, stored, column, row));
+                }
+            return lit;
+        }
+        ints lit{}, mask, kept;
+        const auto on_planes = rows_on_planes<lanes>(at, i, x, y, side());
+        for (int r = 0; r < registers; ++r) {
+            load_lanes(window + r * lanes, kept);
+            for (int row = y; row < y + side(); ++row) {
+                lanes_of<float, lanes> texels;
+                load_lanes(texel_at(map, x + r * lanes, row), texels);
+                on_planes.move(r * lanes, row - y, texels);
+                lit_lanes<lanes, test::forward>(at.z[i], texels, mask);
+                lit -= mask & kept;
+            }
+        }
+        std::int32_t sums[2];
+        sum_two_lanes<lanes>(lit, lit, sums);
+        return sums[0];
+    }
+};
+
+/// How a filter works on receivers with planes; the primary template: it is called for each of them.
+template <class Filter>
+struct plane_form;
+template <class Filter>
+concept has_plane_form = requires {
+    plane_form<Filter>::need;
+};
+
+template <>
+struct plane_form<filters::window> : block_form<filters::window> {};
+template <>
+struct plane_form<filters::rotated_disc> : block_form<filters::rotated_disc> {};
+template <>
+struct plane_form<filters::pcss> : block_form<filters::pcss> {};
+template <>
+struct plane_form<filters::dpcf> : block_form<filters::dpcf> {};
+
+/// A window of one weight: the same four texels, weights and sum.
+template <>
+struct plane_form<filters::pcf_2x2> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 2;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+        constexpr window_row one = make_window_row(1, {1.0f});
+        const window_table weights(one);
+        use(window_blocks<Direction>{map.map, one, weights});
+    }
+};
+
+template <class Filter>
+struct plane_box_form {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
+        int radius = 0;
+        if constexpr (requires { filter.radius; }) radius = clamp_int(filter.radius, max_box_radius);
+        use(plane_box_blocks<Direction>{map.map, radius});
+    }
+};
+template <>
+struct plane_form<filters::hard> : plane_box_form<filters::hard> {};
+template <>
+struct plane_form<filters::box> : plane_box_form<filters::box> {};
+template <>
+struct plane_form<filters::hierarchical_box> : plane_box_form<filters::hierarchical_box> {};
+
+}  // namespace umbrage::detail

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// Blocks of receivers that are compared along their own planes: each texel that a form has loaded is moved as
+// apply_receiver_plane moves it. A form that takes planes has rows_on_planes() move the registers that it loads, or
+// move_texels() a texel of each receiver; where receivers have no planes both compile to nothing.
+#pragma once
+
+#include <cstdint>
+
+#include <umbrage/core/config.hpp>
+#include <umbrage/simd/bits.hpp>
+#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/lanes.hpp>
+#include <umbrage/simd/strict_math.hpp>
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// The planes of a block: where each receiver lies, and its slope.
+struct plane_block {
+    alignas(64) float x[block], y[block], slope_x[block], slope_y[block];
+    float cleared;  ///< depth of the far plane
+
+    template <class Receivers>
+    UMBRAGE_INLINE void copy(const Receivers& from, float far_plane) {
+        cleared = far_plane;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            x[i] = from.x(i);
+            y[i] = from.y(i);
+            slope_x[i] = from.slope_x(i);
+            slope_y[i] = from.slope_y(i);
+        }
+    }
+    /// apply_receiver_plane of a texel in column `across` and row `up`.
+    [[nodiscard]] UMBRAGE_INLINE float moved(int i, float stored, float across, float up) const {
+        const float along = slope_x[i] * (across + 0.5f - x[i]), beside = slope_y[i] * (up + 0.5f - y[i]);
+        return select(cleared_mask(stored, cleared), stored, stored - (along + beside));
+    }
+};
+
+/// The rows of texels around one receiver, as a form loads them.
+template <int Lanes>
+struct plane_rows {
+    static constexpr int chunk = Lanes;
+    float slope, x, first, cleared;
+    alignas(32) float beside[24];  ///< of each row: what its distance from the receiver adds to the plane
+
+    /// @param column, row   of the first texel;   rows  of texels, at most 24
+    UMBRAGE_INLINE plane_rows(const plane_block& planes, int i, int column, int row, int rows)
+        : slope(planes.slope_x[i]), x(planes.x[i]), first(static_cast<float>(column)), cleared(planes.cleared) {
+        const float y = planes.y[i], slope_y = planes.slope_y[i];
+        for (int j = 0; j < rows; j += chunk)
+            for (int k = 0; k < chunk; ++k) beside[j + k] = slope_y * (static_cast<float>(row + j + k) + 0.5f - y);
+    }
+    /// @param moved   columns from the first on;   row  from the first on
+    UMBRAGE_INLINE void move(int moved, int row, lanes_of<float, Lanes>& texels) const {
+        move_to_plane<Lanes>(slope, first + static_cast<float>(moved), x, beside[row], cleared, texels);
+    }
+};
+/// The same of receivers without planes.
+template <int Lanes>
+struct rows_as_stored {
+    UMBRAGE_INLINE void move(int, int, lanes_of<float, Lanes>&) const {}
+};
+template <int Lanes, class Placed>
+[[nodiscard]] UMBRAGE_INLINE inline auto rows_on_planes([[maybe_unused]] const Placed& at, [[maybe_unused]] int i,
+                                                        [[maybe_unused]] int column, [[maybe_unused]] int row,
+                                                        [[maybe_unused]] int rows) {
+    if constexpr (requires { at.planes; }) return plane_rows<Lanes>(at.planes, i, column, row, rows);
+    else return rows_as_stored<Lanes>{};
+}
+
+/// A texel of receiver i, moved.
+template <class Placed>
+[[nodiscard]] UMBRAGE_INLINE inline float moved_texel([[maybe_unused]] const Placed& at, [[maybe_unused]] int i,
+                                                      float stored, [[maybe_unused]] int column,
+                                                      [[maybe_unused]] int row) {
+    if constexpr (requires { at.planes; })
+        return at.planes.moved(i, stored, static_cast<float>(column), static_cast<float>(row));
+    else return stored;
+}
+
+/// Moves a texel of each receiver of a block.
+/// @param column, row   i -> of the texel, whether in the map or not
+template <class Placed, class Column, class Row>
+UMBRAGE_INLINE inline void move_texels(const Placed& at, const Column& column, const Row& row, float* texels) {
+    if constexpr (requires { at.planes; }) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) texels[i] = moved_texel(at, i, texels[i], column(i), row(i));
+    }
+}
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH

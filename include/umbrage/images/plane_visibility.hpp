@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+//
+// A whole image of receivers against a shadow map, each along its own plane: no reach of a filter needs a bias. It is
+// the bias for contact hardening (PCSS, DPCF), whose radius differs from receiver to receiver.
+//
+//     umbrage::sloped_receivers receivers{{x, y, depth}, slope_x, slope_y};  // plane_slope of each receiver
+//     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::pcss{.softness = soft}, out);
+//
+// Bit for bit what the filter gives for each receiver alone over apply_receiver_plane(fetch, slope, coord).
+#pragma once
+
+#include <umbrage/bias/receiver_plane.hpp>
+#include <umbrage/images/blocks/plane_forms.hpp>
+#include <umbrage/images/visibility.hpp>
+
+namespace umbrage {
+
+/// Receivers with their planes, as five images of one size.
+struct sloped_receivers {
+    receiver_planes at;                        ///< x and y in texels of the map, depth with a bias for rounding alone
+    image_view<const float> slope_x, slope_y;  ///< change of depth from one texel to the next: plane_slope
+};
+
+namespace detail {
+
+[[nodiscard]] inline glm::ivec2 size_of(const sloped_receivers& receivers) {
+    const glm::ivec2 size = size_of(receivers.at);
+    if (receivers.slope_x.size != size || receivers.slope_y.size != size) fail("umbrage::visibility: sizes differ");
+    return size;
+}
+
+/// A block of them, read where they are; of a row's last, shorter block a copy.
+struct sloped_rows : receiver_rows {
+    const float *first_slope_x, *first_slope_y;
+    [[nodiscard]] UMBRAGE_INLINE float slope_x(int i) const { return first_slope_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float slope_y(int i) const { return first_slope_y[i]; }
+};
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const sloped_receivers& from, const block_walk& at, Isa, const Use& use) {
+    const float* const first[]{from.at.x.row(at.y) + at.x, from.at.y.row(at.y) + at.x, from.at.depth.row(at.y) + at.x,
+                               from.slope_x.row(at.y) + at.x, from.slope_y.row(at.y) + at.x};
+    if (at.count() == block) return use(sloped_rows{{first[0], first[1], first[2]}, first[3], first[4]});
+    alignas(64) float copy[5][block]{};
+    for (int k = 0; k < 5; ++k) copy_floats(copy[k], first[k], at.count());
+    use(sloped_rows{{copy[0], copy[1], copy[2]}, copy[3], copy[4]});
+}
+UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_walk& at) {
+    prefetch(from.at, at);
+    for (const auto* slope : {&from.slope_x, &from.slope_y}) prefetch(*slope, at);
+}
+
+/// Receivers near the map's edge are left to filter_planes.
+struct no_edge {
+    [[nodiscard]] UMBRAGE_INLINE bool meets(const auto&) const { return false; }
+    UMBRAGE_INLINE void filter_again(const auto&, const block_walk&, float*) const {}
+};
+
+/// The filter itself for receivers whose texels may lie outside the map, or for all.
+template <class Filter, class Fetch, class ParallelFor>
+void filter_planes(const sloped_receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& fetch,
+                   depth_direction direction, image_view<float> out, ParallelFor&& parallel, bool all) {
+    float margin = 0.0f;
+    if constexpr (requires { filter.reach(); }) margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
+    const glm::vec2 last = map_size - margin;
+    const auto inside = [&](glm::ivec2 p) {  // all of a block, as most are
+        const float *const x = receivers.at.x.row(p.y) + p.x, *const y = receivers.at.y.row(p.y) + p.x;
+        std::int32_t count = 0;
+        for (int i = 0; i < block; ++i)
+            count += std::int32_t(x[i] >= margin) & std::int32_t(y[i] >= margin) & std::int32_t(x[i] <= last.x) &
+                     std::int32_t(y[i] <= last.y);
+        return count == block;
+    };
+    parallel(out.size.y, [&](int begin, int end) {
+        for (glm::ivec2 p{0, begin}; p.y < end; ++p.y)
+            for (p.x = 0; p.x < out.size.x; ++p.x) {
+                if (!all && p.x % block == 0 && p.x + block <= out.size.x && inside(p)) {
+                    p.x += block - 1;
+                    continue;
+                }
+                const glm::vec2 c(receivers.at.x[p], receivers.at.y[p]);
+                if (!all && c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) continue;
+                const glm::vec2 slope(receivers.slope_x[p], receivers.slope_y[p]);
+                out[p] =
+                    filtered(filter, apply_receiver_plane(fetch, slope, c, direction), c, receivers.at.depth[p], p);
+            }
+    });
+}
+
+}  // namespace detail
+
+/// Visibility of receivers along their planes: of the filter over apply_receiver_plane(fetch, slope, coord), for each.
+///
+/// @param map         shadow map, texels of the encoding; of a spot light z/w, in which a plane stays a plane
+/// @param encoding    how the map's texels hold depth, and which way it runs
+/// @param receivers   with the slopes of their planes
+/// @param filter      as for visibility of receivers without planes. Callables of your own, filters::four_tap and
+///                    pcf_2x2_dx_sdk are called receiver by receiver: many times slower than the others
+/// @param out         visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
+/// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
+/// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                const sloped_receivers& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
+    static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
+    detail::require_one_direction(encoding, filter);
+    if (detail::size_of(receivers) != out.size) detail::fail("umbrage::visibility: sizes differ");
+    if (map.empty()) detail::fail("umbrage::visibility: empty map");
+    if (out.empty()) return;
+    const float cleared = detail::far_depth(encoding, filter);
+    const depth_direction direction = cleared > 0.5f ? depth_direction::forward : depth_direction::reversed;
+    bool done = false;
+    if constexpr (detail::has_plane_form<Filter>) {
+        using form = detail::plane_form<Filter>;
+        const auto rows = [&]<class Blocks>(const Blocks& of) {
+            const detail::plane_blocks<Blocks> blocks{of, cleared};
+            parallel(out.size.y,
+                     [&](int first, int last) { detail::filter_rows(receivers, blocks, detail::no_edge{}, out, first, last); });
+        };
+        done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
+            if (direction == depth_direction::forward)
+                form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
+        });
+    }
+    const auto by_itself = [&](const auto& fetch) {
+        detail::filter_planes(receivers, glm::vec2(map.size), filter, fetch, direction, out, parallel, !done);
+    };
+    const auto clamped_map = decoded(clamped(map), encoding);
+    const detail::decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
+    if (outside == outside_map::bordered) by_itself(detail::erase(bordered_map));
+    else by_itself(detail::erase(clamped_map));
+}
+
+}  // namespace umbrage

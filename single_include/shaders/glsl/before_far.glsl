@@ -1,0 +1,47 @@
+// umbrage 0.1.0, before_far: receivers up to the far plane, NaN is none. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_BEYOND_FAR(receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEFORE_FAR
+#define UMBRAGE_HAS_BEFORE_FAR
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    // a sum of choices, not an or of comparisons, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+}
+#endif

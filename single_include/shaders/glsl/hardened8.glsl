@@ -1,0 +1,31 @@
+// umbrage 0.1.0, hardened8: a disc's share in shadow, steepened. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_HARDENED8
+#define UMBRAGE_HAS_HARDENED8
+// umbrage_hardened8: the share of 8 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+UMBRAGE_HIGHP float umbrage_hardened8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+    UMBRAGE_HIGHP float u = blocked * 2.0 - 8.0;
+    UMBRAGE_HIGHP float d = max(8.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
+    UMBRAGE_HIGHP float steep = 512.0 - d * d * d;
+    UMBRAGE_HIGHP float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
+}
+#endif

@@ -1,0 +1,210 @@
+// umbrage 0.1.0, msm_turned: visibility from a map of turned moments. Exactness: tier C.
+// Tier C: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
+// Render target of msm_turned: RGBA16 UNORM, not sRGB, no blending, one sample. Clear to umbrage_turn_moments of
+//   umbrage_encode_msm of the far plane's depth.
+// Options, to define in front:
+//   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BIAS_MOMENTS
+#define UMBRAGE_HAS_BIAS_MOMENTS
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = b.x - b.x * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = b.y + (bias.y - b.y) * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = b.z - b.z * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = b.w + (bias.y - b.w) * bias.x;
+    return vec4(x, y, z, w);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MOMENT_ATOMS
+#define UMBRAGE_HAS_MOMENT_ATOMS
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float x) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = b.y - b.x * b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
+    UMBRAGE_HIGHP float l = third / d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float e = (b.w - b.y * b.y) - third * l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float h = b.x * 2.0 - l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float a = d * ((x + h) * x - d);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float m = x * e + h * a;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float c = d * (e - a);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = m * m - 4.0 * a * c;
+    UMBRAGE_HIGHP float root = sqrt(square > 0.0 ? square : 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    UMBRAGE_HIGHP vec2 t = vec2(w / a, c / w);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 q = (t + h) * t - d;
+    UMBRAGE_HIGHP float least = d * e;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 sum = least + (t * t * e + q * q * d);
+    return vec4(t.x, t.y, least / sum.x, least / sum.y);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TURN_MOMENTS_BACK
+#define UMBRAGE_HAS_TURN_MOMENTS_BACK
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
+    UMBRAGE_HIGHP float eighth = o.y * 0.125;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b1 = z * 1.73205078 - x * 0.333333343;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b2 = o.w + eighth;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b3 = z * 1.29903817 - x * 0.75;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b4 = o.w - eighth;
+    return vec4(b1, b2, b3, b4);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_BEYOND_FAR(receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_BILINEAR
+#define UMBRAGE_HAS_FETCH_BILINEAR
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
+    UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_MSM
+#define UMBRAGE_HAS_DECODE_MSM
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
+    UMBRAGE_HIGHP float first = atoms.x < x ? atoms.z : 0.0;
+    UMBRAGE_HIGHP float second = atoms.y < x ? atoms.w : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = 1.0 - (first + second);
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MSM_TURNED
+#define UMBRAGE_HAS_MSM_TURNED
+// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm_turned(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    return compared ? lit : 1.0;
+}
+#endif

@@ -1,0 +1,46 @@
+// umbrage 0.1.0, on_receiver_plane: stored depth moved along the receiver's plane to the receiver. Exactness: tier B.
+// Tier B: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Options, to define in front:
+//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ON_RECEIVER_PLANE
+#define UMBRAGE_HAS_ON_RECEIVER_PLANE
+// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+                                              UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
+    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
+    return cleared ? stored : depth;
+}
+#endif

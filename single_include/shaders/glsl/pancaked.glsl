@@ -1,0 +1,30 @@
+// umbrage 0.1.0, pancaked: casters before the near plane, onto it. Exactness: tier B.
+// Tier B: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_PANCAKED
+#define UMBRAGE_HAS_PANCAKED
+// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+//   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
+UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;
+    bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
+    return vec4(position.x, position.y, before ? plane : position.z, position.w);
+}
+#endif

@@ -1,0 +1,71 @@
+// umbrage 0.1.0, warp_depth: depth on the scale of exponential shadow maps. Exactness: tier B.
+// Tier B: GLSL below 400 and 320 es lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_POWER_OF_TWO
+#define UMBRAGE_HAS_POWER_OF_TWO
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
+#if __VERSION__ >= 300
+    UMBRAGE_HIGHP uint exponent = uint(n + 127.0);
+    return uintBitsToFloat(exponent << 23);
+#else
+    UMBRAGE_HIGHP float x = n < 0.0 ? n + 64.0 : n;
+    UMBRAGE_HIGHP float p = 1.0;
+    p = n < 0.0 ? p * (1.0 / 4294967296.0) * (1.0 / 4294967296.0) : p;
+    p = x >= 32.0 ? p * 4294967296.0 : p;
+    x = x >= 32.0 ? x - 32.0 : x;
+    p = x >= 16.0 ? p * 65536.0 : p;
+    x = x >= 16.0 ? x - 16.0 : x;
+    p = x >= 8.0 ? p * 256.0 : p;
+    x = x >= 8.0 ? x - 8.0 : x;
+    p = x >= 4.0 ? p * 16.0 : p;
+    x = x >= 4.0 ? x - 4.0 : x;
+    p = x >= 2.0 ? p * 4.0 : p;
+    x = x >= 2.0 ? x - 2.0 : x;
+    return x >= 1.0 ? p * 2.0 : p;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
+#define UMBRAGE_HAS_EXP2_POLYNOMIAL
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
+    UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
+    UMBRAGE_HIGHP float n = floor(x);
+    UMBRAGE_HIGHP float f = x - n;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WARP_DEPTH
+#define UMBRAGE_HAS_WARP_DEPTH
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+#endif

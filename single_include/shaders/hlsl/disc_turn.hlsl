@@ -1,0 +1,30 @@
+// umbrage 0.1.0, disc_turn: one of 16 turns for a pixel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+precise bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_TURN
+#define UMBRAGE_HAS_DISC_TURN
+// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+float2 umbrage_disc_turn(float2 pixel) {
+    float2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : float2(0.0, 0.0);
+    float v = whole.x * 4.0 + whole.y;
+    v = v - floor(v * (1.0 / 16.0)) * 16.0;
+    float quarter = floor(v * 0.25);
+    float base = v - quarter * 4.0;
+    float2 low = base < 0.5 ? float2(64.0, 0.0) : float2(59.0, 24.0);
+    float2 high = base < 2.5 ? float2(45.0, 45.0) : float2(24.0, 59.0);
+    float2 turn = base < 1.5 ? low : high;
+    float2 once = quarter < 0.5 ? turn : float2(0.0 - turn.y, turn.x);
+    float2 twice = quarter < 2.5 ? float2(0.0 - turn.x, 0.0 - turn.y) : float2(turn.y, 0.0 - turn.x);
+    return quarter < 1.5 ? once : twice;
+}
+#endif

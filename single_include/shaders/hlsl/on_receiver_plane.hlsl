@@ -1,0 +1,23 @@
+// umbrage 0.1.0, on_receiver_plane: stored depth moved along the receiver's plane to the receiver. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ON_RECEIVER_PLANE
+#define UMBRAGE_HAS_ON_RECEIVER_PLANE
+// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+float umbrage_on_receiver_plane(float stored, float2 slope, float2 coord, float2 texel) {
+    precise float2 way = texel + 0.5 - coord;
+    precise float depth = stored - (slope.x * way.x + slope.y * way.y);
+    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
+    return cleared ? stored : depth;
+}
+#endif

@@ -1,0 +1,38 @@
+// umbrage 0.1.0, detachment: depth before a receiver within which its bias loses a caster's shadow. Exactness: tier
+//   B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLAMP_BIAS
+#define UMBRAGE_HAS_CLAMP_BIAS
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+inline float umbrage_clamp_bias(float bias) {
+    float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ACNE_FREE_BIAS
+#define UMBRAGE_HAS_ACNE_FREE_BIAS
+// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   reach  of the filter, texels
+//   error  how far a decoded depth may lie before the true one
+inline float umbrage_acne_free_bias(float2 slope, float reach, float error) {
+    float bias = reach * (metal::abs(slope.x) + metal::abs(slope.y)) + (error + (1.0 / 8388608.0));
+    return umbrage_clamp_bias(bias);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DETACHMENT
+#define UMBRAGE_HAS_DETACHMENT
+// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
+//   reach  of the filter, texels
+inline float umbrage_detachment(float bias, float2 caster_slope, float reach) {
+    return umbrage_acne_free_bias(caster_slope, reach, bias);
+}
+#endif

@@ -1,0 +1,20 @@
+// umbrage 0.1.0, hardened16: a disc's share in shadow, steepened. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_HARDENED16
+#define UMBRAGE_HAS_HARDENED16
+// umbrage_hardened16: the share of 16 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+inline float umbrage_hardened16(float blocked, float ratio) {
+    float u = blocked * 2.0 - 16.0;
+    float d = metal::max(16.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
+    float steep = 4096.0 - d * d * d;
+    float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
+}
+#endif

@@ -1,0 +1,20 @@
+// umbrage 0.1.0, hardened8: a disc's share in shadow, steepened. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_HARDENED8
+#define UMBRAGE_HAS_HARDENED8
+// umbrage_hardened8: the share of 8 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+inline float umbrage_hardened8(float blocked, float ratio) {
+    float u = blocked * 2.0 - 8.0;
+    float d = metal::max(8.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
+    float steep = 512.0 - d * d * d;
+    float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
+}
+#endif

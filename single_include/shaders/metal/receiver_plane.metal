@@ -1,0 +1,35 @@
+// umbrage 0.1.0, receiver_plane: slope of a receiver's plane from derivatives, and how far it may be off. Exactness:
+//   tier C.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLAMP_SLOPE
+#define UMBRAGE_HAS_CLAMP_SLOPE
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+inline float umbrage_clamp_slope(float slope) {
+    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_RECEIVER_PLANE
+#define UMBRAGE_HAS_RECEIVER_PLANE
+// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+inline float3 umbrage_receiver_plane(float3 dx, float3 dy) {
+    float determinant = dx.x * dy.y + dx.y * -dy.x;
+    float sum = metal::abs(dx.x) + metal::abs(dx.y) + metal::abs(dy.x) + metal::abs(dy.y);
+    float along_x = dy.y * dx.z + dx.y * -dy.z;
+    float along_y = dx.x * dy.z + dy.x * -dx.z;
+    float a = umbrage_clamp_slope(along_x / determinant);
+    float b = umbrage_clamp_slope(along_y / determinant);
+    float off = ((1.0 / 33554432.0) + (metal::abs(a) + metal::abs(b)) * (1.0 / 8192.0)) * 3.3;
+    float error = off * (sum / metal::abs(determinant));
+    float least = sum * (1.0 / 1024.0);
+    bool known = metal::abs(determinant) > least && sum < 18446744073709551616.0;
+    return known ? float3(a, b, umbrage_clamp_slope(error)) : float3(0.0, 0.0, 0.0);
+}
+#endif

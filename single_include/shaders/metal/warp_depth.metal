@@ -1,0 +1,42 @@
+// umbrage 0.1.0, warp_depth: depth on the scale of exponential shadow maps. Exactness: tier B.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_POWER_OF_TWO
+#define UMBRAGE_HAS_POWER_OF_TWO
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+inline float umbrage_power_of_two(float n) {
+    uint exponent = uint(n + 127.0);
+    return as_type<float>(exponent << 23);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
+#define UMBRAGE_HAS_EXP2_POLYNOMIAL
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+inline float umbrage_exp2_polynomial(float y) {
+    float x = y > -64.0 ? metal::min(y, 63.0) : -64.0;
+    float n = metal::floor(x);
+    float f = x - n;
+    float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WARP_DEPTH
+#define UMBRAGE_HAS_WARP_DEPTH
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+inline float umbrage_warp_depth(float depth, float exponent) {
+    float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+#endif

@@ -1,0 +1,19 @@
+// umbrage 0.1.0, disc_turn: one of 16 turns for a pixel. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: inside_texel_space.wgsl; or paste wgsl_joined/disc_turn.wgsl alone.
+
+// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+fn umbrage_disc_turn(pixel: vec2f) -> vec2f {
+    let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
+    var v: f32 = whole.x * 4.0 + whole.y;
+    v = v - floor(v * (1.0 / 16.0)) * 16.0;
+    let quarter: f32 = floor(v * 0.25);
+    let base: f32 = v - quarter * 4.0;
+    let low: vec2f = select(vec2f(59.0, 24.0), vec2f(64.0, 0.0), base < 0.5);
+    let high: vec2f = select(vec2f(24.0, 59.0), vec2f(45.0, 45.0), base < 2.5);
+    let turn: vec2f = select(high, low, base < 1.5);
+    let once: vec2f = select(vec2f(0.0 - turn.y, turn.x), turn, quarter < 0.5);
+    let twice: vec2f = select(vec2f(turn.y, 0.0 - turn.x), vec2f(0.0 - turn.x, 0.0 - turn.y), quarter < 2.5);
+    return select(twice, once, quarter < 1.5);
+}

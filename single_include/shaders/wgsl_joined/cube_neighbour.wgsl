@@ -1,0 +1,42 @@
+// umbrage 0.1.0, cube_neighbour: texel beyond an edge of a cube's face. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+fn umbrage_cube_face(direction: vec3f) -> f32 {
+    let m: vec3f = abs(direction);
+    let x: f32 = select(0.0, 1.0, direction.x < 0.0);
+    let y: f32 = select(2.0, 3.0, direction.y < 0.0);
+    let z: f32 = select(4.0, 5.0, direction.z < 0.0);
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return select(select(z, y, m.y >= m.z), select(z, x, m.x >= m.z), m.x >= m.y);
+}
+
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+fn umbrage_cube_plane(direction: vec3f) -> vec3f {
+    let face: f32 = umbrage_cube_face(direction);
+    let x: vec3f = vec3f(select(direction.z, -direction.z, face < 0.5), -direction.y, face);
+    let y: vec3f = vec3f(direction.x, select(-direction.z, direction.z, face < 2.5), face);
+    let z: vec3f = vec3f(select(-direction.x, direction.x, face < 4.5), -direction.y, face);
+    return select(select(z, y, face < 3.5), x, face < 1.5);
+}
+
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
+    let x: vec3f = select(vec3f(-p.z, -p.y, p.x), vec3f(p.z, -p.y, -p.x), face < 0.5);
+    let y: vec3f = select(vec3f(p.x, -p.z, -p.y), vec3f(p.x, p.z, p.y), face < 2.5);
+    let z: vec3f = select(vec3f(-p.x, -p.y, -p.z), vec3f(p.x, -p.y, p.z), face < 4.5);
+    return select(select(z, y, face < 3.5), x, face < 1.5);
+}
+
+// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+fn umbrage_cube_neighbour(texel: vec3f, size: f32) -> vec3f {
+    let uv: vec2f = vec2f(texel.x, texel.y) * 2.0 + (1.0 - size);
+    let beyond_u: bool = abs(uv.x) > size;
+    let beyond_v: bool = abs(uv.y) > size;
+    let m: f32 = select(size, size - 1.0, beyond_u || beyond_v);
+    let p: vec3f = umbrage_cube_plane(umbrage_cube_point(texel.z, vec3f(uv, m)));
+    let inside: vec2f = (vec2f(p.x, p.y) + (size - 1.0)) * 0.5;
+    return select(vec3f(inside, p.z), vec3f(0.0, 0.0, -1.0), beyond_u && beyond_v);
+}

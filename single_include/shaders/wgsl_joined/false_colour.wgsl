@@ -1,0 +1,22 @@
+// umbrage 0.1.0, false_colour: 0..1 to blue, green, red. Exactness: tier B.
+// Tier B: WGSL lets compilers fuse or reorder sums. Results then stay within the stated bound.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
+
+// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
+fn umbrage_false_colour(v: f32) -> vec3f {
+    let x: f32 = umbrage_saturate(v) * 4.0;
+    let ramp: vec3f = 1.5 - abs(vec3f(x - 3.0, x - 2.0, x - 1.0));
+    return vec3f(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
+}
