@@ -49,16 +49,18 @@ template <real T>
 [[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
     constexpr auto function = "make_light_units";
     detail::require_given(light.clip, function, "light.clip");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
     const glm::mat<4, 4, T>& p = light.projection;
-    detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light", "must not be warped: see light_units_at");
+    detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
+                    "free of a warp, its x and y without a part in w", p,
+                    "A warp's units differ from point to point: see light_units_at.");
     const T edge =
         detail::greater(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
     const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;
-    detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light",
-                    "gives measures that are not finite and above 0");
+    detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light and map_size",
+                    "such that units are finite and above 0", glm::vec<2, T>(edge, depth));
     return {edge, depth};
 }
 

@@ -53,16 +53,18 @@ namespace detail {
 /// In steps of the depth buffer, rounded up, towards the far plane.
 [[nodiscard]] inline vulkan_depth_bias raster_numbers(const raster_bias& bias, const char* function) {
     const auto not_negative = [](float v) { return is_finite(v) && v >= 0.0f; };
-    require(not_negative(bias.reach) && is_finite(2.0f * bias.reach), function, "reach", "must be finite, 0 or more");
-    require(not_negative(bias.constant), function, "constant", "must be finite, 0 or more");
-    require(not_negative(bias.greatest), function, "greatest", "must be finite, 0 or more");
+    require(not_negative(bias.reach) && is_finite(2.0f * bias.reach), function, "reach", "finite, 0 or more",
+            bias.reach);
+    require(not_negative(bias.constant), function, "constant", "finite, 0 or more", bias.constant);
+    require(not_negative(bias.greatest), function, "greatest", "finite, 0 or more", bias.greatest);
     require(is_normal(bias.least_depth) && bias.least_depth > 0.0f && bias.least_depth <= 1.0f, function, "least_depth",
-            "must be above 0, no denormal, and at most 1");
+            "above 0, no denormal, and at most 1", bias.least_depth);
     const int step = bias.format == depth_format::unorm16   ? -16
                      : bias.format == depth_format::unorm24 ? -24
                                                             : std::ilogb(bias.least_depth) - 23;
     const float units = std::ceil(std::scalbn(bias.constant, -step));
-    require(is_finite(units), function, "constant and least_depth", "give too many steps of the depth buffer");
+    require(is_finite(units), function, "constant and least_depth", "finite in steps of the depth buffer",
+            glm::vec2(bias.constant, bias.least_depth));
     const float away = bias.direction == depth_direction::forward ? 1.0f : -1.0f;
     return {away * units, away * bias.greatest, away * 2.0f * bias.reach};
 }
@@ -90,7 +92,7 @@ namespace detail {
 [[nodiscard]] inline direct3d_depth_bias make_direct3d_depth_bias(const raster_bias& bias) {
     const auto numbers = detail::raster_numbers(bias, "make_direct3d_depth_bias");
     detail::require(std::abs(numbers.constant_factor) < 0x1p31f, "make_direct3d_depth_bias", "constant and least_depth",
-                    "give too many steps of the depth buffer");
+                    "below 2^31 steps of the depth buffer", numbers.constant_factor);
     return {static_cast<std::int32_t>(numbers.constant_factor), numbers.clamp, numbers.slope_factor};
 }
 

@@ -35,7 +35,7 @@ template <real T>
     using wide = std::common_type_t<T, double>;  // double, known where this is called: GLM's matrices cost to compile
     const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
     detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
-                    "has no finite inverse");
+                    "finite, with a finite inverse", texture_matrix);
     return m;
 }
 

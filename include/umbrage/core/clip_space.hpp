@@ -9,6 +9,7 @@
 
 #include <string>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/literal.hpp>
 #include <umbrage/core/snippet.hpp>
@@ -88,11 +89,10 @@ inline constexpr named_clip_space clip_spaces[]{{"opengl_clip_space", opengl_cli
 
 namespace detail {
 
-inline void refuse_unset(const char* function, const char* argument) {
-    std::string message = "umbrage::";
-    for (const char* part : {function, ": ", argument, " must be given; got unset. Use "}) message += part;
-    for (const named_clip_space& each : clip_spaces) message.append(each.name).append(", ");
-    fail(message + "or cpu_clip_space where no API draws");
+[[noreturn]] inline void refuse_unset(const char* function, const char* argument) {
+    std::string names = "Use ";
+    for (const named_clip_space& each : clip_spaces) names.append(each.name).append(", ");
+    refuse(function, argument, "given", "unset", names.append("or cpu_clip_space where no API draws."));
 }
 
 /// Refuses a clip space that nobody gave, in the name of a function whose argument it is.

@@ -26,8 +26,8 @@
 
 namespace umbrage {
 
-/// Takes the message of an error, "umbrage::function: what is wrong". Where exceptions are switched off, set-up
-/// functions call it in place of throwing std::invalid_argument, and end the program if it returns.
+/// Takes the message of an error, "umbrage::function: argument must be condition; got value". Where exceptions are
+/// switched off, functions call it in place of throwing std::invalid_argument, and end the program if it returns.
 using error_handler = void (*)(const char* message);
 
 namespace detail {

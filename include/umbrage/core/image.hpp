@@ -20,6 +20,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/snippet.hpp>
 
@@ -44,14 +45,15 @@ struct image_view {
     ///                                or not a multiple of the alignment of T
     constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
         : data(pixels), size(extent), stride(stride_bytes) {
-        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
+        detail::require(extent.x >= 0 && extent.y >= 0, "image_view", "extent", "0 or more", extent);
         if (empty()) return;
         const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
         const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
-        if (!pixels) detail::fail("umbrage::image_view: no pixels");
-        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
-        if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
-            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
+        detail::require(pixels != nullptr, "image_view", "pixels", "given", "nullptr");
+        detail::require(extent.y <= 1 || distance >= row_bytes, "image_view", "stride_bytes", "a row's bytes or more",
+                        stride_bytes);
+        detail::require(distance % static_cast<std::ptrdiff_t>(alignof(T)) == 0, "image_view", "stride_bytes",
+                        "a multiple of a texel's alignment", stride_bytes);
     }
 
     /// A view that may write is also a view that may read.
@@ -75,9 +77,11 @@ struct image_view {
     /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
     /// @throws std::invalid_argument  not inside the image
     [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
-        const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
-                            extent.x <= size.x - first.x && extent.y <= size.y - first.y;
-        if (!inside) detail::fail("umbrage::image_view: region is not inside the image");
+        detail::require(first.x >= 0 && first.y >= 0, "image_view::region", "first", "0 or more", first);
+        const glm::ivec2 rest = size - first;
+        if (extent.x < 0 || extent.y < 0 || extent.x > rest.x || extent.y > rest.y)
+            detail::refuse("image_view::region", "extent",
+                           std::string("inside the image, at most ").append(detail::printed(rest)), extent);
         const bool none = extent.x == 0 || extent.y == 0;
         return {none ? data : row(first.y) + first.x, extent, stride};
     }
@@ -115,7 +119,7 @@ public:
 
     /// @throws std::invalid_argument  negative size
     explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
-        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
+        detail::require(size.x >= 0 && size.y >= 0, "image", "size", "0 or more", size);
         texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
     }
 
@@ -200,8 +204,9 @@ template <class T>
 /// @throws std::invalid_argument  empty map
 template <class Map, class = detail::texel_of<Map>>
 [[nodiscard]] auto clamped(const Map& map) {
-    if (detail::view_of(map).empty()) detail::fail("umbrage::clamped: empty map");
-    return [view = detail::view_of(map)](glm::ivec2 texel) { return fetch_clamped(view, texel); };
+    const auto view = detail::view_of(map);
+    detail::require(!view.empty(), "clamped", "map.size", "above 0", view.size);
+    return [view](glm::ivec2 texel) { return fetch_clamped(view, texel); };
 }
 
 /// fetch_bordered as the callable that filters take.

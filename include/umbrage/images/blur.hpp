@@ -18,6 +18,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/images/parallel.hpp>
@@ -55,8 +56,8 @@ template <int Taps>
 /// @exactness     C: exp
 template <class = detail::on_use>
 [[nodiscard]] blur_kernel make_gaussian_kernel(int taps, float sigma) {
-    if (taps < 1 || taps % 2 == 0 || !(sigma > 0.0f))
-        detail::fail("umbrage::make_gaussian_kernel: taps even or below 1, or sigma not above 0");
+    detail::require(taps >= 1 && taps % 2 == 1, "make_gaussian_kernel", "taps", "odd and above 0", taps);
+    detail::require(sigma > 0.0f, "make_gaussian_kernel", "sigma", "above 0", sigma);
     const auto bell = [s = static_cast<double>(sigma)](int i) { return std::exp(-0.5 * (i / s) * (i / s)); };
     double sum = 1.0;
     for (int i = 1; i <= taps / 2; ++i) sum += 2.0 * bell(i);
@@ -177,10 +178,11 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     static_assert(std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
                   std::is_same_v<T, glm::vec4>);
     static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float));
-    if (from.size != to.size) detail::fail("umbrage::blur: sizes differ");
-    if (kernel.weights.empty()) detail::fail("umbrage::blur: no weights");
+    detail::require_size(to.size, from.size, "blur", "to.size", "from's size");
+    detail::require(!kernel.weights.empty(), "blur", "kernel.weights", "one or more", "none",
+                    "Make the kernel by make_gaussian_kernel.");
     if (from.empty()) return;
-    if (from.data == to.data) detail::fail("umbrage::blur: same pixels");
+    detail::require(from.data != to.data, "blur", "to", "an image of its own", "the pixels of from");
     const glm::ivec2 size(from.size.x * channels, from.size.y);
     const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
     const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/images/blocks/codec.hpp>
@@ -49,7 +50,7 @@ template <class Codec, class ParallelFor>
 void encode_rows(image_view<const float> depth, image_view<typename Codec::texel> texels, const Codec& codec,
                  ParallelFor&& parallel) {
     using texel = typename Codec::texel;
-    if (depth.size != texels.size) fail("umbrage::encode: sizes differ");
+    require_size(texels.size, depth.size, "encode", "texels.size", "depth's size");
     if (depth.empty()) return;
     const bool large = past_cache(texels);
     parallel(depth.size.y, [&](int first, int last) {
@@ -75,7 +76,7 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
 template <class Codec, class ParallelFor>
 void decode_rows(image_view<const typename Codec::texel> texels, image_view<float> depth, const Codec& codec,
                  ParallelFor&& parallel) {
-    if (depth.size != texels.size) fail("umbrage::decode: sizes differ");
+    require_size(depth.size, texels.size, "decode", "depth.size", "the texels' size");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
         on_isa_of(codec, [&](auto) UMBRAGE_INLINE {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/images/blocks/box_bounds.hpp>
 
@@ -34,8 +35,8 @@ template <class ParallelFor = serial>
                                                depth_direction direction = depth_direction::forward,
                                                ParallelFor&& parallel = {},
                                                outside_map outside = outside_map::bordered) {
-    if (map.empty() || !(reach >= 0.0f && reach <= 256.0f))
-        detail::fail("umbrage::make_filter_bounds: empty map, or reach");
+    detail::require(!map.empty(), "make_filter_bounds", "map.size", "above 0", map.size);
+    detail::require(reach >= 0.0f && reach <= 256.0f, "make_filter_bounds", "reach", "from 0 to 256 texels", reach);
     image<float> ringed;
     const bool border = outside == outside_map::bordered;
     if (border) {

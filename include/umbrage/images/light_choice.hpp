@@ -59,10 +59,10 @@ template <real T>
 [[nodiscard]] light_choice choose_light(std::span<const light_space<T>> lights, std::span<const seen_point> seen,
                                         const choice_terms& terms, std::size_t before = 0) {
     constexpr auto function = "choose_light";
-    detail::require(!lights.empty(), function, "lights", "must not be empty");
-    detail::require(before < lights.size(), function, "before", "must be one of the lights");
-    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "must lie between 0 and 1");
-    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "must be finite");
+    detail::require(!lights.empty(), function, "lights", "one light or more", lights.size());
+    detail::require(before < lights.size(), function, "before", "the index of one of the lights", before);
+    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "from 0 to 1", terms.better);
+    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "finite", terms.to_pixels);
     light_choice choice{before, {}};
     for (const light_space<T>& light : lights) {
         const glm::dmat4 to_texels =

@@ -20,6 +20,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/depth/conversions.hpp>
@@ -164,13 +165,14 @@ void visibility(const light_map<typename Encoding::texel, Light>& map, const Enc
     static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
     constexpr auto function = "visibility";
     detail::require_one_direction(encoding, filter);
-    detail::require(points.size == out.size, function, "out", "must have the size of points");
+    detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     float reach = 0.0f;
     if constexpr (requires { filter.reach(); }) reach = filter.reach();
     using placing = typename detail::placing_of<Light>::type;
     const placing place(map.light, map.texels.size, reach);
-    detail::require(place.size >= 1 && map.texels.size == placing::tiles * place.size, function, "texels",
-                    "must have the size of the light's tiles");
+    detail::require(place.size >= 1, function, "map.texels.size", "that of the light's tiles", map.texels.size);
+    detail::require_size(map.texels.size, placing::tiles * place.size, function, "map.texels.size",
+                         "that of the light's tiles");
     parallel(out.size.y, [&](int first, int last) {
         for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
             for (p.x = 0; p.x < out.size.x; ++p.x) {

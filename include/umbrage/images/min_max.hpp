@@ -13,6 +13,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/bits.hpp>
@@ -87,7 +88,8 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
 template <class ParallelFor = serial>
 [[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
                                                              ParallelFor&& parallel = {}) {
-    if (map.empty() || levels < 0) detail::fail("umbrage::make_min_max_pyramid: empty map or negative levels");
+    detail::require(!map.empty(), "make_min_max_pyramid", "map.size", "above 0", map.size);
+    detail::require(levels >= 0, "make_min_max_pyramid", "levels", "0 or more", levels);
     std::vector<depth_bounds> pyramid;
     for (int level = 0; level < levels; ++level) {
         const image_view<const float> least = level ? pyramid.back().least.view() : map;

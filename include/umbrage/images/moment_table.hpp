@@ -16,6 +16,7 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/filter/table/summed_moments.hpp>
@@ -42,12 +43,14 @@ struct moment_table {
 template <class ParallelFor = serial>
 [[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
                                                     ParallelFor&& parallel = {}) {
-    if (map.empty()) detail::fail("umbrage::make_moment_table: empty map");
-    if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_moment_table: radius out of range");
+    constexpr auto function = "make_moment_table";
+    detail::require(!map.empty(), function, "map.size", "above 0", map.size);
+    detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
     const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
     const std::int64_t n =
         detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
-    if (n > 65537) detail::fail("umbrage::make_moment_table: sums in a box of that radius may reach 2^32");
+    detail::require(n <= 65537, function, "radius", "small enough for a box of 65537 texels", of.radius,
+                    "Sums in a larger box may reach 2^32.");
 
     image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
     const float cleared = cleared_depth(of.direction);
@@ -83,10 +86,13 @@ template <class ParallelFor = serial>
 void summed_visibility(image_view<const glm::u16vec4> table, const moment_table& of,
                        image_view<const glm::vec3> receivers, int radius, image_view<float> out,
                        ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
-    if (table.size.x < 4 || table.size.x % 2 || table.size.y < 2)
-        detail::fail("umbrage::summed_visibility: the table is not one of make_moment_table");
-    if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
+    constexpr auto function = "summed_visibility";
+    detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
+    detail::require(table.size.x >= 4 && table.size.x % 2 == 0 && table.size.y >= 2, function, "table.size",
+                    "that of a table of make_moment_table", table.size);
+    if (radius < 0 || radius > of.radius)
+        detail::refuse(function, "radius", std::string("from 0 to the table's, ").append(detail::printed(of.radius)),
+                       radius, "Make the table with this radius.");
     const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
     const auto reach = static_cast<float>(radius), cleared = cleared_depth(of.direction);
     parallel(out.size.y, [&](int first, int last) {

@@ -17,6 +17,7 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
@@ -44,7 +45,7 @@ struct contrast_stretch {
 /// @throws std::invalid_argument  outliers out of range
 template <class = detail::on_use>
 [[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
-    if (!(outliers >= 0.0 && outliers < 0.5)) detail::fail("umbrage::stretch: outliers not in [0, 1/2)");
+    detail::require(outliers >= 0.0 && outliers < 0.5, "stretch", "outliers", "0 or more and below 1/2", outliers);
     std::vector<float> depths;
     for (int y = 0; y < map.size.y && !map.empty(); ++y)
         for (int x = 0; x < map.size.x; ++x)
@@ -70,7 +71,7 @@ struct overlay_placement {
 template <class Color>
 void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
              Color&& color) {
-    if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
+    detail::require(place.size.x >= 0 && place.size.y >= 0, "overlay", "place.size", "0 or more", place.size);
     if (map.empty()) return;
     const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
     const auto nearest = [](int i, double count, double from) {

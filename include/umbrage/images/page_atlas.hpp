@@ -67,8 +67,7 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 /// @throws std::invalid_argument  a table of another size
 template <class = detail::on_use>
 void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
-    detail::require(table.size == page_table_size(cache), "write_page_table", "table",
-                    "must have 2^deepest_level + 2 a side");
+    detail::require_size(table.size, page_table_size(cache), "write_page_table", "table.size", "page_table_size");
     for (int y = 0; y < table.size.y; ++y) detail::fill(table.row(y), std::size_t(table.size.x), glm::u8vec4(0));
     cache.for_each([&](const page& p, glm::ivec2 slot) {
         const int cells = (table.size.x - 2) >> p.level;
@@ -92,16 +91,18 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
     constexpr auto function = "visibility";
     const int side = map.table.size.x, pitch = map.size.pitch();
-    require(size_of(receivers) == out.size, function, "out", "must have the receivers' size");
-    require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table",
-            "must be a square of a power of two and 2");
-    require(map.size.texels >= 1 && map.size.gutter >= 0, function, "size", "must be a page's");
+    require_size(out.size, size_of(receivers, function), function, "out.size", "the receivers' size");
+    require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table.size",
+            "square, a power of two and 2 a side", map.table.size);
+    require(map.size.texels >= 1, function, "size.texels", "above 0", map.size.texels);
+    require(map.size.gutter >= 0, function, "size.gutter", "0 or more", map.size.gutter);
     if constexpr (requires { filter.reach(); })
-        require(float(map.size.gutter) >= filter.reach(), function, "gutter", "must be the filter's reach or more");
+        require(float(map.size.gutter) >= filter.reach(), function, "size.gutter",
+                std::string("the filter's reach or more, ").append(printed(filter.reach())), map.size.gutter);
     for (int y = 0; y < side; ++y)
         for (const glm::u8vec4& entry : std::span(map.table.row(y), static_cast<std::size_t>(side)))
             require(glm::all(glm::lessThanEqual((glm::ivec2(entry) + 1) * pitch, map.atlas.size)), function, "table",
-                    "has slots beyond the atlas");
+                    "of slots that the atlas has", glm::ivec2(entry));
     const auto table = [&](glm::ivec2 cell) { return map.table[cell]; };
     const auto page = static_cast<float>(map.size.texels), gutter = static_cast<float>(map.size.gutter);
     for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float depth, glm::ivec2 pixel) {

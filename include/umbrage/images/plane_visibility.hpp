@@ -9,7 +9,10 @@
 // Bit for bit what the filter gives for each receiver alone over apply_receiver_plane(fetch, slope, coord).
 #pragma once
 
+#include <string_view>
+
 #include <umbrage/bias/receiver_plane.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/images/blocks/plane_forms.hpp>
 #include <umbrage/images/visibility.hpp>
 
@@ -23,9 +26,10 @@ struct sloped_receivers {
 
 namespace detail {
 
-[[nodiscard]] inline glm::ivec2 size_of(const sloped_receivers& receivers) {
-    const glm::ivec2 size = size_of(receivers.at);
-    if (receivers.slope_x.size != size || receivers.slope_y.size != size) fail("umbrage::visibility: sizes differ");
+[[nodiscard]] inline glm::ivec2 size_of(const sloped_receivers& receivers, std::string_view function) {
+    const glm::ivec2 size = size_of(receivers.at, function);
+    require_size(receivers.slope_x.size, size, function, "receivers.slope_x.size", "that of receivers.at");
+    require_size(receivers.slope_y.size, size, function, "receivers.slope_y.size", "that of receivers.at");
     return size;
 }
 
@@ -105,8 +109,9 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
                 ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
     detail::require_one_direction(encoding, filter);
-    if (detail::size_of(receivers) != out.size) detail::fail("umbrage::visibility: sizes differ");
-    if (map.empty()) detail::fail("umbrage::visibility: empty map");
+    detail::require_size(out.size, detail::size_of(receivers, "visibility"), "visibility", "out.size",
+                         "the receivers' size");
+    detail::require(!map.empty(), "visibility", "map.size", "above 0", map.size);
     if (out.empty()) return;
     const float cleared = detail::far_depth(encoding, filter);
     const depth_direction direction = cleared > 0.5f ? depth_direction::forward : depth_direction::reversed;
@@ -115,8 +120,9 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
         using form = detail::plane_form<Filter>;
         const auto rows = [&]<class Blocks>(const Blocks& of) {
             const detail::plane_blocks<Blocks> blocks{of, cleared};
-            parallel(out.size.y,
-                     [&](int first, int last) { detail::filter_rows(receivers, blocks, detail::no_edge{}, out, first, last); });
+            parallel(out.size.y, [&](int first, int last) {
+                detail::filter_rows(receivers, blocks, detail::no_edge{}, out, first, last);
+            });
         };
         done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (direction == depth_direction::forward)

@@ -19,6 +19,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/filter/prefiltered/reduce.hpp>
@@ -156,7 +157,7 @@ template <class Prefilter, class ParallelFor = serial>
 void encode_moments(image_view<const float> depth, image_view<typename Prefilter::texel> texels,
                     const Prefilter& filter, ParallelFor&& parallel = {}) {
     using texel = typename Prefilter::texel;
-    if (depth.size != texels.size) detail::fail("umbrage::encode_moments: sizes differ");
+    detail::require_size(texels.size, depth.size, "encode_moments", "texels.size", "depth's size");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
         detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
@@ -183,7 +184,8 @@ template <class Texel, class ParallelFor = serial>
 [[nodiscard]] std::vector<image<std::remove_const_t<Texel>>> make_mip_chain(image_view<Texel> texels, int levels,
                                                                             ParallelFor&& parallel = {}) {
     using texel = std::remove_const_t<Texel>;
-    if (texels.empty() || levels < 0) detail::fail("umbrage::make_mip_chain: empty map or negative levels");
+    detail::require(!texels.empty(), "make_mip_chain", "texels.size", "above 0", texels.size);
+    detail::require(levels >= 0, "make_mip_chain", "levels", "0 or more", levels);
     std::vector<image<texel>> chain;
     for (int level = 0; level < levels; ++level) {
         const image_view<const texel> from =
@@ -214,8 +216,8 @@ template <class Texel, class ParallelFor = serial>
 template <class Prefilter, class Receivers, class ParallelFor = serial>
 void look_up(image_view<const typename Prefilter::texel> texels, const Receivers& receivers, const Prefilter& filter,
              image_view<float> out, ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    if (detail::size_of(receivers) != out.size) detail::fail("umbrage::look_up: sizes differ");
-    if (texels.empty()) detail::fail("umbrage::look_up: empty map");
+    detail::require_size(out.size, detail::size_of(receivers, "look_up"), "look_up", "out.size", "the receivers' size");
+    detail::require(!texels.empty(), "look_up", "texels.size", "above 0", texels.size);
     if (out.empty()) return;
     const bool forward = filter.direction == depth_direction::forward;
     parallel(out.size.y, [&](int first, int last) {

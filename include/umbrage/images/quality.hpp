@@ -95,13 +95,14 @@ template <class At>
 [[nodiscard]] quality_report measure_quality(const measured_view& view, At&& at, image_view<float> extents = {}) {
     constexpr auto function = "measure_quality";
     const auto [screen, map_size, maps, step] = view;
-    detail::require(screen.x >= 1 && screen.y >= 1, function, "screen", "must be above 0");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
-    detail::require(maps >= 1, function, "maps", "must be above 0");
-    detail::require(step >= 1, function, "step", "must be above 0");
+    detail::require(screen.x >= 1 && screen.y >= 1, function, "screen", "above 0", screen);
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
+    detail::require(maps >= 1, function, "maps", "above 0", maps);
+    detail::require(step >= 1, function, "step", "above 0", step);
     const glm::ivec2 size((screen.x - 1) / step + 1, (screen.y - 1) / step + 1);
     const bool draws = extents.size != glm::ivec2(0);
-    detail::require(!draws || extents.size == size, function, "extents", "must have the screen's size over the step");
+    detail::require(!draws || extents.size == size, function, "extents.size",
+                    std::string("empty or the screen's over the step, ").append(detail::printed(size)), extents.size);
     quality_report report;
     std::vector<double> all;
     glm::dvec2 longest(0);

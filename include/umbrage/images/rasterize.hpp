@@ -46,7 +46,7 @@ namespace detail {
 template <class ParallelFor>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> to_clip,
                      clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
-    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel);
+    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel, "rasterize_depth");
     if (clip.origin == texture_origin::top && !depth.empty())
         depth = {depth.row(depth.size.y - 1), depth.size, -depth.stride};
     snapped.for_each_chunk(parallel, [&] {
@@ -103,7 +103,7 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
     const bool flipped = clip.origin == texture_origin::top;
-    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near, serial{});
+    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near, serial{}, "rasterize");
     snapped.for_each_chunk(serial{}, [&] {
         snapped.for_each_batch([&](const detail::triangles& batch) {
             for (int i = 0; i < batch.count; ++i) {

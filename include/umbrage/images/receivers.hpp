@@ -44,7 +44,7 @@ template <class = detail::on_use>
 [[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
                                         glm::ivec2 size, clip_space clip) {
     detail::require_given(clip, "receiver_matrix");
-    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
+    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "above 0", size);
     const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     glm::dmat4 to_clip(1.0);
     to_clip[0][0] = 2.0 / size.x;
@@ -56,7 +56,7 @@ template <class = detail::on_use>
     }
     const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
     detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
-                    "must give a finite matrix");
+                    "such that their product is finite", m);
     return m;
 }
 
@@ -72,11 +72,13 @@ template <class = detail::on_use>
 
 namespace detail {
 
-[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
-    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
-        fail("umbrage::visibility: sizes differ");
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers, const char*) {
+    return receivers.size;
+}
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers, const char*) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers, const char* function) {
+    require_size(receivers.x.size, receivers.depth.size, function, "receivers.x.size", "the depths' size");
+    require_size(receivers.y.size, receivers.depth.size, function, "receivers.y.size", "the depths' size");
     return receivers.depth.size;
 }
 

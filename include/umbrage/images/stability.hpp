@@ -53,7 +53,7 @@ struct stability_report {
 /// @formula       drift = max |m - nearest whole number to m|, m what a point has moved by through a map, in x or in y
 template <class Frame>
 [[nodiscard]] stability_report measure_stability(int frames, std::size_t points, Frame&& frame) {
-    detail::require(frames >= 1, "measure_stability", "frames", "must be above 0");
+    detail::require(frames >= 1, "measure_stability", "frames", "above 0", frames);
     std::vector<placed_point> first;  // of a map, point by point
     std::vector<char> compared(points), changed(points);
     stability_report report;

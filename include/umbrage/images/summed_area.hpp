@@ -18,6 +18,7 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/dispatch.hpp>
@@ -121,7 +122,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     static_assert(std::is_same_v<Sum, float> ? std::is_same_v<value, float>
                                              : std::is_same_v<Sum, std::uint32_t> && std::is_unsigned_v<value> &&
                                                    sizeof(value) <= sizeof(Sum));
-    if (values.size != sums.size) detail::fail("umbrage::summed_area: sizes differ");
+    detail::require_size(sums.size, values.size, "summed_area", "sums.size", "the values' size");
     if (values.empty()) return;
     constexpr bool in_one = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
     const glm::ivec2 size = sums.size;

@@ -155,13 +155,14 @@ private:
 template <class = detail::on_use>
 [[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
     constexpr auto function = "tessellate";
-    detail::require(detail::all_finite(to.position), function, "position", "must be finite");
-    detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "must be above 0");
-    detail::require(is_finite(to.range) && to.range > 0, function, "range", "must be above 0");
-    detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "must be above 0 and below 1");
+    detail::require(detail::all_finite(to.position), function, "position", "finite", to.position);
+    detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "finite and above 0", to.angle);
+    detail::require(is_finite(to.range) && to.range > 0, function, "range", "finite and above 0", to.range);
+    detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "above 0 and below 1",
+                    to.depth_error);
     for (const glm::uvec3& t : mesh.triangles)
         detail::require(detail::greater(detail::greater(t.x, t.y), t.z) < mesh.positions.size(), function,
-                        "mesh.triangles", "must be indices of positions");
+                        "mesh.triangles", "indices of positions", t);
     return detail::tessellator<>(mesh, to).take();
 }
 

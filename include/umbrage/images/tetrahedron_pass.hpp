@@ -33,7 +33,7 @@ template <class ParallelFor = serial>
 void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh,
                            const std::array<light_space<float>, 4>& faces, cull_mode cull = cull_mode::none,
                            ParallelFor&& parallel = {}) {
-    detail::require(depth.size.x == depth.size.y, "rasterize_tetrahedron", "depth", "must be square");
+    detail::require(depth.size.x == depth.size.y, "rasterize_tetrahedron", "depth.size", "square", depth.size);
     const auto side = static_cast<float>(depth.size.x);
     image<float> drawn(depth.size);
     for (int i = 0; i < 4; ++i) {

@@ -16,6 +16,7 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
@@ -42,9 +43,10 @@ struct variance_table {
 template <class ParallelFor = serial>
 [[nodiscard]] image<glm::u16vec4> make_variance_table(image_view<const float> map, const variance_table& of,
                                                       ParallelFor&& parallel = {}) {
-    if (map.empty()) detail::fail("umbrage::make_variance_table: empty map");
-    if (of.bits < 1 || of.bits > 12) detail::fail("umbrage::make_variance_table: bits must lie between 1 and 12");
-    if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_variance_table: radius out of range");
+    constexpr auto function = "make_variance_table";
+    detail::require(!map.empty(), function, "map.size", "above 0", map.size);
+    detail::require(of.bits >= 1 && of.bits <= 12, function, "bits", "from 1 to 12", of.bits);
+    detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
     image<std::uint32_t> codes(map.size), sums(map.size);
     std::uint32_t least = 65535, greatest = 0;
     for (int y = 0; y < map.size.y; ++y)
@@ -56,10 +58,12 @@ template <class ParallelFor = serial>
     const std::int64_t side = 2 * std::int64_t(of.radius) + 1, spread = std::int64_t(greatest) - std::int64_t(least);
     const std::int64_t n =
         detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
-    if (n << of.bits > std::int64_t(1) << 24)
-        detail::fail("umbrage::make_variance_table: sums of so large a box need more than 24 bits");
-    if (n * (spread * spread + 4) >= std::int64_t(1) << 34)
-        detail::fail("umbrage::make_variance_table: squared distances in so large a box may reach 2^32");
+    detail::require(
+        n << of.bits <= std::int64_t(1) << 24, function, "bits and radius", "small enough for sums of 24 bits",
+        glm::dvec2(of.bits, of.radius),
+        "A box within the map holds min(2 radius + 1, width) min(2 radius + 1, height) texels of 2^bits codes.");
+    detail::require(n * (spread * spread + 4) < std::int64_t(1) << 34, function, "bits and radius",
+                    "small enough for squared distances of 32 bits", glm::dvec2(of.bits, of.radius));
 
     image<glm::u16vec4> table(map.size + 1, glm::u16vec4(0));
     const auto store = [&](glm::length_t first_channel) {
@@ -90,9 +94,12 @@ template <class ParallelFor = serial>
 void summed_visibility(image_view<const glm::u16vec4> table, const variance_table& of,
                        image_view<const glm::vec3> receivers, int radius, image_view<float> out,
                        ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
-    if (table.size.x < 2 || table.size.y < 2) detail::fail("umbrage::summed_visibility: empty table");
-    if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
+    constexpr auto function = "summed_visibility";
+    detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
+    detail::require(table.size.x >= 2 && table.size.y >= 2, function, "table.size", "2 x 2 or more", table.size);
+    if (radius < 0 || radius > of.radius)
+        detail::refuse(function, "radius", std::string("from 0 to the table's, ").append(detail::printed(of.radius)),
+                       radius, "Make the table with this radius.");
     const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
     const auto codes = static_cast<float>(1 << of.bits), reach = static_cast<float>(radius);
     parallel(out.size.y, [&](int first, int last) {

@@ -17,6 +17,7 @@
 #include <string>
 #include <type_traits>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/images/blocks/forms.hpp>
@@ -166,11 +167,10 @@ void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& 
 template <class Encoding, class Filter>
 void require_one_direction(const Encoding& encoding, const Filter& filter) {
     if constexpr (requires { filter.is_lit.direction == encoding.direction; }) {
-        if (filter.is_lit.direction == encoding.direction) return;
         const bool reversed = encoding.direction == depth_direction::reversed;
-        fail(std::string("umbrage::visibility: filter must compare ") + (reversed ? "reversed" : "forward") +
-             " depth, as encoding holds it; got " + (reversed ? "forward" : "reversed") +
-             ". Give both the map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}");
+        require(filter.is_lit.direction == encoding.direction, "visibility", "filter.is_lit.direction",
+                reversed ? "the encoding's, reversed" : "the encoding's, forward", reversed ? "forward" : "reversed",
+                "Give both the map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}.");
     }
 }
 
@@ -219,8 +219,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
     require_one_direction(encoding, filter);
-    if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
-    if (map.empty()) fail("umbrage::visibility: empty map");
+    require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
+    require(!map.empty(), "visibility", "map.size", "above 0", map.size);
     if (out.empty()) return;
     const auto clamped_map = decoded(clamped(map), encoding);
     const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, far_depth(encoding, filter)};

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,24 +60,58 @@ namespace detail {
 template <real T>
 inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
 
-/// Refuses a box that nobody gave.
+/// Refuses an argument of a function, a struct, by the names of its members: as "camera" and "z_near".
+struct member_check {
+    const char *function, *argument;
+
+    template <class Value>
+    void operator()(bool met, std::string_view member, std::string_view condition, const Value& got) const {
+        if (!met) refuse(function, std::string(argument).append(".").append(member), condition, got);
+    }
+};
+
+/// Refuses a box that is not finite, or whose low is above its high.
+template <real T>
+void require_box(const bounding_box<T>& box, const char* function, const char* argument) {
+    const member_check must{function, argument};
+    must(all_finite(box.low), "low", "finite", box.low);
+    must(all_finite(box.high), "high", "finite", box.high);
+    must(!glm::any(glm::greaterThan(box.low, box.high)), "low", "nowhere above high",
+         glm::mat<2, 3, T>(box.low, box.high));
+}
+
+/// Refuses a box that nobody gave, too.
 template <real T>
 void require_given(const bounding_box<T>& box, const char* function, const char* argument) {
-    require(!glm::all(glm::greaterThan(box.low, box.high)), function, argument,
-            "must be given, with low not above high; got no box");
+    require(!glm::all(glm::greaterThan(box.low, box.high)), function, argument, "given, with low not above high",
+            "no box");
+    require_box(box, function, argument);
+}
+
+/// Refuses a frustum that is none: see its members.
+template <real T>
+void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
+    const member_check must{function, argument};
+    must(is_finite(f.tan_half_x) && f.tan_half_x > T(0), "tan_half_x", "finite and above 0", f.tan_half_x);
+    must(is_finite(f.tan_half_y) && f.tan_half_y > T(0), "tan_half_y", "finite and above 0", f.tan_half_y);
+    must(f.z_near >= T(0), "z_near", "0 or more", f.z_near);
+    must(is_finite(f.z_far) && f.z_near < f.z_far, "z_far", "finite and above z_near", f.z_far);
+    must(all_finite(f.position), "position", "finite", f.position);
+    must(all_finite(f.direction), "direction", "finite", f.direction);
+    must(all_finite(f.up), "up", "finite", f.up);
+    must(f.direction != glm::vec<3, T>(0), "direction", "of a length above 0", f.direction);
 }
 
 }  // namespace detail
 
 using eight_corners = std::array<glm::dvec3, 8>;
 
-/// Corners in the order of their numbers' bits: x, y, z high.
-/// @throws std::invalid_argument  bounds not finite or empty, which is low above high
+namespace detail {
+
+/// corners in the name of another function.
 template <real T>
-[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
-    detail::require(detail::all_finite(box.low) && detail::all_finite(box.high), "bounding_box", "low and high",
-                    "must be finite");
-    detail::require(!glm::any(glm::greaterThan(box.low, box.high)), "bounding_box", "low", "must not be above high");
+[[nodiscard]] eight_corners corners_for(const char* function, const bounding_box<T>& box) {
+    require_box(box, function, "box");
     const glm::dvec3 low(box.low), high(box.high);
     eight_corners all;
     for (std::size_t i = 0; i < 8; ++i)
@@ -83,16 +119,10 @@ template <real T>
     return all;
 }
 
-namespace detail {
-
 /// A frustum's directions as columns: to the side, up, along.
 template <real T>
-[[nodiscard]] glm::dmat3 axes(const frustum<T>& f) {
-    constexpr auto function = "frustum";
-    require(is_finite(f.tan_half_x) && f.tan_half_x > T(0), function, "tan_half_x", "must be finite and above 0");
-    require(is_finite(f.tan_half_y) && f.tan_half_y > T(0), function, "tan_half_y", "must be finite and above 0");
-    require(f.z_near >= T(0), function, "z_near", "must not be below 0");
-    require(is_finite(f.z_far) && f.z_near < f.z_far, function, "z_far", "must be finite and above z_near");
+[[nodiscard]] glm::dmat3 axes(const frustum<T>& f, const char* function, const char* argument = "frustum") {
+    require_frustum(f, function, argument);
     const auto view = look_along(glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up), handedness::right,
                                  function, "position");
     return {{view[0][0], view[1][0], view[2][0]},
@@ -100,13 +130,9 @@ template <real T>
             {-view[0][2], -view[1][2], -view[2][2]}};
 }
 
-}  // namespace detail
-
-/// Corners in the order of their numbers' bits: right, up, far.
-/// @throws std::invalid_argument  a frustum that is none: see its members
 template <real T>
-[[nodiscard]] eight_corners corners(const frustum<T>& f) {
-    const glm::dmat3 axes = detail::axes(f);
+[[nodiscard]] eight_corners corners_for(const char* function, const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f, function);
     eight_corners all;
     for (std::size_t i = 0; i < 8; ++i) {
         const double z(i & 4 ? f.z_far : f.z_near), x = (i & 1 ? z : -z) * double(f.tan_half_x);
@@ -115,13 +141,29 @@ template <real T>
     return all;
 }
 
+}  // namespace detail
+
+/// Corners in the order of their numbers' bits: x, y, z high.
+/// @throws std::invalid_argument  bounds not finite or empty, which is low above high
+template <real T>
+[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
+    return detail::corners_for("corners", box);
+}
+
+/// Corners in the order of their numbers' bits: right, up, far.
+/// @throws std::invalid_argument  a frustum that is none: see its members
+template <real T>
+[[nodiscard]] eight_corners corners(const frustum<T>& f) {
+    return detail::corners_for("corners", f);
+}
+
 /// The smallest sphere around a frustum. Its radius comes of planes and angles alone: it keeps its bits however the
 /// camera turns and moves.
 /// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2
 /// @throws std::invalid_argument  a frustum that is none
 template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
-    const glm::dmat3 axes = detail::axes(f);
+    const glm::dmat3 axes = detail::axes(f, "sphere_around");
     const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
     const double center = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - center;
     return {glm::dvec3(f.position) + axes[2] * center, std::sqrt(beyond * beyond + z_far * z_far * t)};
@@ -157,23 +199,23 @@ public:
     template <real T>
     convex_body(const bounding_box<T>& box) {
         const glm::dvec3 low(box.low), high(box.high);
-        add_faces(umbrage::corners(box), {{{1, 0, 0, -low.x},
-                                           {-1, 0, 0, high.x},
-                                           {0, 1, 0, -low.y},
-                                           {0, -1, 0, high.y},
-                                           {0, 0, 1, -low.z},
-                                           {0, 0, -1, high.z}}});
+        add_faces(corners_for("polyhedron", box), {{{1, 0, 0, -low.x},
+                                                    {-1, 0, 0, high.x},
+                                                    {0, 1, 0, -low.y},
+                                                    {0, -1, 0, high.y},
+                                                    {0, 0, 1, -low.z},
+                                                    {0, 0, -1, high.z}}});
     }
 
     template <real T>
     convex_body(const frustum<T>& f) {
-        const glm::dmat3 axes = detail::axes(f);
+        const glm::dmat3 axes = detail::axes(f, "polyhedron");
         const double x(f.tan_half_x), y(f.tan_half_y);
         const auto plane = [&](glm::dvec3 normal, double offset) {
             const glm::dvec3 n = axes * normal;
             return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
         };
-        add_faces(umbrage::corners(f),
+        add_faces(corners_for("polyhedron", f),
                   {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
                    plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
     }
@@ -236,9 +278,9 @@ struct rounded_hull {
     template <real T>
     rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(s.radius) {}
     template <real T>
-    rounded_hull(const bounding_box<T>& box) : rounded_hull(umbrage::corners(box)) {}
+    rounded_hull(const bounding_box<T>& box) : rounded_hull(corners_for("hull", box)) {}
     template <real T>
-    rounded_hull(const frustum<T>& f) : rounded_hull(umbrage::corners(f)) {}
+    rounded_hull(const frustum<T>& f) : rounded_hull(corners_for("hull", f)) {}
     rounded_hull(const eight_corners& c) : points(c.begin(), c.end()) {}
     rounded_hull(const convex_body<Use>& p) {
         for (const auto& face : p.faces()) points.insert(points.end(), face.corners.begin(), face.corners.end());

@@ -56,8 +56,9 @@ template <real T>
                                              const char* depths) {
     require_given(fit.clip, function);
     const hull& lit = given(fit.receivers, function);
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
+    require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "0 or above 1", fit.snap_texels);
+    if (fit.casters) require_box(*fit.casters, function, "casters");
     const bool snaps = fit.snap_texels > 0;
 
     light_space<T> space{
@@ -86,7 +87,8 @@ template <real T>
     space.projection = glm::mat<4, 4, T>(projection);
     for (glm::length_t i = 0; i < 3; ++i)
         require(is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
-                "must not give too large or too small a box");
+                "such that the box's size is neither too large nor too small",
+                glm::dvec3(2.0 * box.half, box.z_far - box.z_near));
     return checked(space, function, depths);
 }
 

@@ -30,10 +30,10 @@ struct directional_light {
 template <real T = float>
 [[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
     constexpr auto function = "make_directional_light";
-    detail::require(light.map_size >= 1, function, "map_size", "must be above 0");
+    detail::require(light.map_size >= 1, function, "map_size", "above 0", light.map_size);
     detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
-                    "must be finite and above 0");
-    detail::require(is_finite(light.offset), function, "offset", "must be finite");
+                    "finite and above 0", light.texels_per_unit);
+    detail::require(is_finite(light.offset), function, "offset", "finite", light.offset);
     // along the normalized direction, moved by the offset: the view's last row holds the light's distance
     light_space<T> space{
         detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),

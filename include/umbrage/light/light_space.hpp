@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -43,8 +44,10 @@ template <real T>
 /// The one check of a light's matrices.
 template <real T>
 [[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
-    const bool finite = all_finite(light.view) && all_finite(light.projection);
-    require(finite && all_finite(light.projection * light.view), function, arguments, "must give a finite matrix");
+    const glm::mat<4, 4, T> m = light.projection * light.view;
+    const bool finite = all_finite(light.view) && all_finite(light.projection) && all_finite(m);
+    require(finite, function, arguments, "such that the matrix is finite", m,
+            std::is_same_v<T, float> ? "Numbers this large need the double version." : "");
     return light;
 }
 
@@ -70,11 +73,11 @@ template <real T>
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
                                            handedness hand, const char* function, const char* position_name) {
-    require(all_finite(position), function, position_name, "must be finite");
-    require(all_finite(direction), function, "direction", "must be finite");
-    require(all_finite(up), function, "up", "must be finite");
+    require(all_finite(position), function, position_name, "finite", position);
+    require(all_finite(direction), function, "direction", "finite", direction);
+    require(all_finite(up), function, "up", "finite", up);
     const glm::vec<3, T> forward = unit(direction);
-    require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
+    require(forward != glm::vec<3, T>(0), function, "direction", "of a length above 0", direction);
 
     glm::vec<3, T> side = glm::cross(forward, unit(up));
     if (!(glm::length(side) > T(1e-3))) side = across(forward)[0];
@@ -109,7 +112,7 @@ template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
                                            handedness hand) {
     const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
-    detail::require(detail::all_finite(view), "look_along", "position", "must be nearer to the origin");
+    detail::require(detail::all_finite(view), "look_along", "position", "nearer to the origin", position);
     return view;
 }
 
@@ -131,8 +134,8 @@ template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
                                             const char* function, const char* planes = "z_near and z_far") {
     require_given(clip, function);
-    require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
-    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
+    require(is_normal(z_near) && z_near > T(0), function, "z_near", "above 0, finite and no denormal", z_near);
+    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "above z_near", z_far);
     const auto [at_near, at_far] = ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     // the formula over powers of two, which keeps its bits and does not overflow; no far plane: z_near is nothing to it
@@ -146,7 +149,7 @@ template <real T>
     m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
     m[3][2] = std::scalbn(product / (f - n), near_scale);
     m[2][3] = forward;
-    require(is_finite(m[3][2]), function, planes, "must give planes farther apart, or nearer to 0");
+    require(is_finite(m[3][2]), function, planes, "farther apart, or nearer to 0", glm::vec<2, T>(z_near, z_far));
     return m;
 }
 
@@ -156,22 +159,24 @@ template <real T>
                                              clip_space clip, const char* function, const char* box,
                                              const char* planes) {
     require_given(clip, function);
-    require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
-    require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
-    require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
-    require(z_near < z_far, function, planes, "must give planes in order, some distance apart");
+    require(all_finite(low) && all_finite(high), function, box, "a finite box", glm::vec<4, T>(low, high));
+    require(low.x < high.x && low.y < high.y, function, box, "a box with some width and height",
+            glm::vec<4, T>(low, high));
+    require(is_finite(z_near) && is_finite(z_far), function, planes, "finite", glm::vec<2, T>(z_near, z_far));
+    require(z_near < z_far, function, planes, "in order, some distance apart", glm::vec<2, T>(z_near, z_far));
     const auto [at_near, at_far] = ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(1));
     for (glm::length_t i = 0; i < 2; ++i) {
         m[i][i] = T(2) / (high[i] - low[i]);
         m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
-        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "must not give too large or too small a box");
+        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "neither too large nor too small a box",
+                glm::vec<4, T>(low, high));
     }
     m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
     m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
-    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes,
-            "must give planes neither too far apart nor too close together");
+    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "neither too far apart nor too close together",
+            glm::vec<2, T>(z_near, z_far));
     return m;
 }
 
@@ -187,8 +192,8 @@ template <real T>
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
     const auto opening = [](T tangent) { return tangent > T(0) && detail::is_normal(T(1) / tangent); };
-    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "must be above 0, and 1 / tan_half_x finite");
-    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "must be above 0, and 1 / tan_half_y finite");
+    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "above 0, with a normal inverse", tan_half_x);
+    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "above 0, with a normal inverse", tan_half_y);
     return detail::perspective(tan_half_x, tan_half_y, z_near, z_far, clip, "perspective");
 }
 

@@ -81,10 +81,11 @@ template <real T = float>
     const hull& lit = detail::given(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "must lie between 0 and pi / 2");
+                    "outer_angle_radians", "above 0 and below pi / 2", angle, "Is it in degrees?");
     detail::require(detail::is_normal(fit.z_near) && fit.z_near > T(0), function, "z_near",
-                    "must be above 0, finite and no denormal");
-    detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "must lie between 0 and 1/2");
+                    "above 0, finite and no denormal", fit.z_near);
+    detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "from 0 to 1/2", fit.margin);
+    if (fit.casters) detail::require_box(*fit.casters, function, "casters");
     light_space<T> space{
         detail::look_along(fit.position, fit.direction, fit.up, fit.clip.hand, function, "position"), {}, fit.clip};
     const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
@@ -95,7 +96,7 @@ template <real T = float>
     const glm::dvec3 size = detail::greater(glm::abs(around.low), glm::abs(around.high));
     if (!(around.high.z > closest)) return {};
     detail::require(is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function, "receivers",
-                    "must lie nearer to the light");
+                    "near enough to the light for finite distances", size);
     const auto receivers = detail::tangents(before, edge, closest);
     if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
@@ -116,9 +117,9 @@ template <real T = float>
     space.projection = glm::mat<4, 4, T>(projection);
     for (glm::length_t i = 0; i < 2; ++i)
         detail::require(detail::is_normal(space.projection[i][i]), function, "receivers and margin",
-                        "must not give too large or too small a map");
+                        "such that the map's size is neither too large nor too small", half);
     detail::require(detail::is_normal(space.projection[3][2]), function, "z_near and receivers",
-                    "must give planes neither too far apart nor too close together");
+                    "neither too far apart nor too close together", glm::dvec2(z_near, z_far));
     return detail::checked(space, function, "position, z_near and receivers");
 }
 

@@ -34,9 +34,10 @@ template <real T = float>
     constexpr auto function = "make_spot_light";
     const T angle = light.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "must lie between 0 and pi / 2");
+                    "outer_angle_radians", "above 0 and below pi / 2", angle, "Is it in degrees?");
     const T extent = std::tan(angle);
-    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians", "must have a finite cotangent");
+    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians",
+                    "large enough for a finite cotangent", angle);
     return detail::checked<T>(
         {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
          detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function), light.clip},

@@ -26,10 +26,11 @@ namespace detail {
 /// Receivers, or a complaint in the name of a function whose argument they are.
 template <class Use = on_use>
 [[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
-    require(receivers.has_value(), function, "receivers", "must be given; got none");
-    bool finite = is_finite(receivers->radius) && receivers->radius >= 0.0;
-    for (const glm::dvec3& p : receivers->points) finite = finite && all_finite(p);
-    require(finite, function, "receivers", "must be finite");
+    require(receivers.has_value(), function, "receivers", "given", "none");
+    require(is_finite(receivers->radius) && receivers->radius >= 0.0, function, "receivers",
+            "of a finite radius, 0 or more", receivers->radius);
+    for (const glm::dvec3& p : receivers->points) require(all_finite(p), function, "receivers", "finite", p);
+
     return *receivers;
 }
 

@@ -30,7 +30,7 @@ namespace umbrage {
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
     detail::require_given(light.clip, "texture_matrix", "light.clip");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
+    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "above 0", map_size);
     const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
     glm::mat<4, 4, T> scale_bias(T(1));
     scale_bias[0][0] = half.x;
@@ -42,7 +42,8 @@ template <real T>
         scale_bias[3][2] = T(0.5);
     }
     const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
-    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "must give a finite matrix");
+    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "such that their matrix is finite",
+                    m);
     return m;
 }
 
@@ -90,7 +91,7 @@ template <real T>
             taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
         }
         detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
-                        "must give a finite matrix");
+                        "such that their matrix is finite", taps[tap]);
     }
     return taps;
 }

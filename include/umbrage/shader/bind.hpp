@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/shader/binding.hpp>
 #include <umbrage/shader/chosen.hpp>
@@ -51,49 +52,44 @@ template <class = umbrage::detail::on_use>
     return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
 }
 
-/// @throws std::invalid_argument   unless it holds
-template <class = umbrage::detail::on_use>
-void must(bool holds, std::string_view condition, std::string_view got) {
-    if (holds) return;
-    std::string message = "umbrage::glsl::bind: ";
-    message += condition;
-    message += "; got ";
-    umbrage::detail::fail(message + (got.empty() ? "\"\"" : std::string(got)));
-}
-
 /// Every hook that the snippet calls is one that the map can have.
 template <class = umbrage::detail::on_use>
 void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
     const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
-    must(!reads || !compares(map.texture),
-         "what must be a snippet that reads no depths, as a comparison sampler gives none", what.name);
-    must(asked.role != hook::gather_lit || gathers(map.texture),
-         "map.gather must be false where texels of cubes or whole numbers are gathered", "true");
-    must(asked.role != hook::gather_lit || map.channels <= 2, "map.channels must be 1 or 2 where texels are gathered",
-         std::to_string(map.channels));
+    umbrage::detail::require(!reads || !compares(map.texture), "glsl::bind", "what",
+                             "a snippet that reads no depths, as a comparison sampler gives none", what.name);
+    umbrage::detail::require(asked.role != hook::gather_lit || gathers(map.texture), "glsl::bind", "map.gather",
+                             "false where texels of cubes or whole numbers are gathered", map.gather);
+    umbrage::detail::require(asked.role != hook::gather_lit || map.channels <= 2, "glsl::bind", "map.channels",
+                             "1 or 2 where texels are gathered", map.channels);
     for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
 }
 
 /// @throws std::invalid_argument   for what does not compile, whatever the language
 template <class = umbrage::detail::on_use>
 void check(const snippet& what, std::string_view name, const binding& map) {
-    must(is_part_of_identifier(name), "name must be letters, digits and single underscores between them", name);
+    umbrage::detail::require(is_part_of_identifier(name), "glsl::bind", "name",
+                             "letters, digits and single underscores between them", name);
     const bool one_channel =
         compares(map.texture) || map.texture == texture::depth || map.texture == texture::depth_array;
-    must(1 <= map.channels && map.channels <= 4, "map.channels must be 1 to 4", std::to_string(map.channels));
-    must(!one_channel || map.channels == 1, "map.channels must be 1 for a depth texture", std::to_string(map.channels));
-    must(!compares(map.texture) || map.depth.empty(), "map.depth must be empty for a comparison sampler", map.depth);
-    const auto expression = [](const std::string& own, const char* condition) {
-        must(own.empty() || is_expression(own), condition, own);
+    umbrage::detail::require(1 <= map.channels && map.channels <= 4, "glsl::bind", "map.channels", "1 to 4",
+                             map.channels);
+    umbrage::detail::require(!one_channel || map.channels == 1, "glsl::bind", "map.channels", "1 for a depth texture",
+                             map.channels);
+    umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "map.depth",
+                             "empty for a comparison sampler", map.depth);
+    const auto expression = [](const std::string& own, const char* argument,
+                               const char* condition = "one expression on one line") {
+        umbrage::detail::require(own.empty() || is_expression(own), "glsl::bind", argument, condition, own);
     };
-    expression(map.depth, "map.depth must be one expression on one line");
-    expression(map.origin, "map.origin must be one expression on one line");
-    expression(map.texture_size, "map.texture_size must be one expression on one line");
-    expression(map.texel, "map.texel must be one expression on one line");
-    expression(map.parameters, "map.parameters must be parameters on one line");
-    expression(map.arguments, "map.arguments must be expressions on one line");
+    expression(map.depth, "map.depth");
+    expression(map.origin, "map.origin");
+    expression(map.texture_size, "map.texture_size");
+    expression(map.texel, "map.texel");
+    expression(map.parameters, "map.parameters", "parameters on one line");
+    expression(map.arguments, "map.arguments", "expressions on one line");
     for (const snippet& need : map.needs)
-        must(!reads_map(need), "map.needs must be snippets that read no map", need.name);
+        umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
     check_hooks(what, what, map);
 }
 

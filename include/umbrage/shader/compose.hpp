@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/chosen.hpp>
@@ -25,6 +26,7 @@ struct language {
     literal may_reorder{};                       ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
+    literal function = "glsl::text";             ///< that a user calls
 };
 
 /// One text in the making.
@@ -40,8 +42,9 @@ public:
             for (const bound& other : items)
                 if (!item.by_macros && item.suffix == other.suffix &&
                     (other.by_macros ? is_of_map(other.what) : !(item.map == other.map)))
-                    umbrage::detail::fail("umbrage::glsl::text: name must be another for each map; got \"" +
-                                          item.suffix.substr(item.suffix.empty() ? 0 : 1) + "\" for two");
+                    umbrage::detail::refuse(language_.function, "name", "another for each map",
+                                            std::string_view(item.suffix).substr(item.suffix.empty() ? 0 : 1),
+                                            "It is the name of two maps.");
         }
     }
 
@@ -103,9 +106,9 @@ private:
         for (const part& done : done_) {
             if (done.guard != guard) continue;
             if (done.what == s.name && done.suffix == suffix) return;
-            umbrage::detail::fail(
-                "umbrage::glsl::text: names must keep functions apart, in capitals too; got umbrage_" +
-                std::string(done.what) + done.suffix + " and umbrage_" + function);
+            umbrage::detail::refuse(
+                language_.function, "name", "such that functions differ, in capitals too",
+                ("umbrage_" + std::string(done.what) + done.suffix + " and umbrage_" + function).c_str());
         }
         use(s, item, guard);
         done_.push_back({s.name, suffix, std::move(guard)});

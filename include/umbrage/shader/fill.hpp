@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/chosen.hpp>
@@ -138,18 +139,18 @@ template <class = umbrage::detail::on_use>
     const std::string ordinary = with_sampler(words.arguments, words.sampler_argument);
     const std::string parameters = one_of(map.parameters, with_sampler(words.parameters, words.sampler));
     const std::string arguments = one_of(map.arguments, ordinary);
-    must(members(parameters).size() == members(arguments).size(), "map.arguments must be as many as map.parameters",
-         '"' + arguments + "\" for \"" + parameters + '"');
+    umbrage::detail::require(members(parameters).size() == members(arguments).size(), "glsl::bind", "map.arguments",
+                             "as many as map.parameters", arguments, "The parameters are " + parameters + ".");
     const std::vector<std::string_view> names = declared(parameters);
     if (!map.parameters.empty())
         for (const std::string_view word : words_of(text))
-            must(word == own_map || !contains(names, word),
-                 "map.parameters must be named otherwise than what umbrage_" + std::string(s.name) + " names", word);
+            umbrage::detail::require(word == own_map || !contains(names, word), "glsl::bind", "map.parameters",
+                                     "named otherwise than what umbrage_" + std::string(s.name) + " names", word);
     /// A language's own words, whose arguments the map's own parameters declare too.
     const auto ours = [&](std::string_view expression) {
         for (const std::string_view word : words_of(expression))
-            must(!contains(words_of(ordinary), word) || contains(names, word),
-                 "map.parameters must declare " + std::string(word), parameters);
+            umbrage::detail::require(!contains(words_of(ordinary), word) || contains(names, word), "glsl::bind",
+                                     "map.parameters", "parameters that declare " + std::string(word), parameters);
         return expression;
     };
     if (map.arguments.empty()) ours(arguments);
@@ -170,8 +171,8 @@ template <class = umbrage::detail::on_use>
             if (word.starts_with("umbrage_")) return suffixed(word);
             if (word == "at" && origin.empty()) return "texel";
             if (word != "UMBRAGE_TEXTURE_SIZE") return std::string(word);
-            must(!texture_size.empty(),
-                 "map.texture_size must be given for a region that this language's sampler reads", "");
+            umbrage::detail::require(!texture_size.empty(), "glsl::bind", "map.texture_size",
+                                     "given for a region that this language's sampler reads", "");
             return texture_size;
         });
     };

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/light/point/cube_atlas.hpp>
 #include <umbrage/shader/compose.hpp>
@@ -207,8 +208,9 @@ template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(version v, std::span<const bound> items) {
     for (const bound& item : items)
         if (!supports(item, v))
-            umbrage::detail::fail("umbrage::glsl::text: version must be one that has " + std::string(item.what.name) +
-                                  item.suffix + "; got " + std::string(directive(v)));
+            umbrage::detail::refuse("glsl::text", "version",
+                                    "one that has " + std::string(item.what.name) + item.suffix,
+                                    std::string(directive(v)).c_str());
     const std::string known_prelude = detail::known_prelude<Use>(v), name = "GLSL " + std::string(directive(v));
     detail::language known = detail::glsl_language<Use>;
     known.prelude = known_prelude;

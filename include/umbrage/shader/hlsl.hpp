@@ -113,9 +113,13 @@ inline constexpr glsl::detail::near_language akin{.name = "hlsl",
 
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
-    .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
-    }};
+    .prelude = "",
+    .texture = texture,
+    .translate =
+        [](const glsl::snippet& s) {
+            return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
+        },
+    .function = "hlsl::text"};
 
 }  // namespace detail
 

@@ -128,9 +128,13 @@ inline constexpr glsl::detail::near_language akin{.name = "msl",
 
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
-    .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
-    }};
+    .prelude = prelude,
+    .texture = texture,
+    .translate =
+        [](const glsl::snippet& s) {
+            return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
+        },
+    .function = "msl::text"};
 
 }  // namespace detail
 

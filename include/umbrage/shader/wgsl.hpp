@@ -120,8 +120,12 @@ template <class Use = umbrage::detail::on_use>
 }
 
 template <class Use = umbrage::detail::on_use>
-inline constexpr glsl::detail::language language{
-    .prelude = "", .texture = textures, .translate = translate<Use>, .may_reorder = "WGSL", .preprocessor = false};
+inline constexpr glsl::detail::language language{.prelude = "",
+                                                 .texture = textures,
+                                                 .translate = translate<Use>,
+                                                 .may_reorder = "WGSL",
+                                                 .preprocessor = false,
+                                                 .function = "wgsl::text"};
 
 }  // namespace detail
 

@@ -87,18 +87,23 @@ TEST_CASE("rasterizers' biases: what is refused") {
     CHECK(said({}).empty());
     CHECK(said({.reach = 0, .constant = 0}).empty());
     for (float bad : {-1.0f, nan32, inf32}) {
-        CHECK(said({.reach = bad}) == "umbrage::make_polygon_offset: reach must be finite, 0 or more");
-        CHECK(said({.constant = bad}) == "umbrage::make_polygon_offset: constant must be finite, 0 or more");
-        CHECK(said({.greatest = bad}) == "umbrage::make_polygon_offset: greatest must be finite, 0 or more");
+        const std::string got = umbrage::detail::printed(bad);
+        CHECK(said({.reach = bad}) == "umbrage::make_polygon_offset: reach must be finite, 0 or more; got " + got);
+        CHECK(said({.constant = bad}) ==
+              "umbrage::make_polygon_offset: constant must be finite, 0 or more; got " + got);
+        CHECK(said({.greatest = bad}) ==
+              "umbrage::make_polygon_offset: greatest must be finite, 0 or more; got " + got);
         CHECK(said({.least_depth = bad}) ==
-              "umbrage::make_polygon_offset: least_depth must be above 0, no denormal, and at most 1");
+              "umbrage::make_polygon_offset: least_depth must be above 0, no denormal, and at most 1; got " + got);
     }
     CHECK(!said({.least_depth = 0}).empty());
     CHECK(!said({.least_depth = 1e-40f}).empty());
     CHECK(!said({.reach = 3e38f}).empty());
     CHECK(!said({.constant = 1, .least_depth = 1e-37f, .format = depth_format::float32}).empty());
     CHECK(complaint([] { static_cast<void>(make_vulkan_depth_bias({.reach = -1})); }) ==
-          "umbrage::make_vulkan_depth_bias: reach must be finite, 0 or more");
-    CHECK(complaint([] { static_cast<void>(make_direct3d_depth_bias({.constant = 200})); }) ==
-          "umbrage::make_direct3d_depth_bias: constant and least_depth give too many steps of the depth buffer");
+          "umbrage::make_vulkan_depth_bias: reach must be finite, 0 or more; got -1");
+    CHECK(
+        complaint([] { static_cast<void>(make_direct3d_depth_bias({.constant = 200})); }) ==
+        "umbrage::make_direct3d_depth_bias: constant and least_depth must be below 2^31 steps of the depth buffer; got "
+        "3.35544e+09");
 }

@@ -78,7 +78,8 @@ TEST_CASE_TEMPLATE("plane_slope, clamp_slope: edge-on, zero normal, NaN", T, flo
 
 TEST_CASE("plane_matrix: what has no inverse") {
     CHECK(complaint([] { static_cast<void>(plane_matrix(glm::mat4(0))); }) ==
-          "umbrage::plane_matrix: texture_matrix has no finite inverse");
+          "umbrage::plane_matrix: texture_matrix must be finite, with a finite inverse; got "
+          "((0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0))");
     glm::mat4 bad(1);
     bad[2][1] = std::numeric_limits<float>::quiet_NaN();
     CHECK(!complaint([&] { static_cast<void>(plane_matrix(bad)); }).empty());

@@ -47,7 +47,7 @@ TEST_CASE("set-ups: a clip space that nobody gave is refused, and so are scene a
     const std::string unset =
         "clip must be given; got unset. Use opengl_clip_space, vulkan_clip_space, direct3d_clip_space, "
         "webgpu_clip_space, metal_clip_space, unity_clip_space, unity_opengl_clip_space, unreal_clip_space, "
-        "godot_clip_space, or cpu_clip_space where no API draws";
+        "godot_clip_space, or cpu_clip_space where no API draws.";
     const auto refused = [&](const char* function, auto call) {
         CAPTURE(function);
         CHECK(complaint(call) == std::string("umbrage::") + function + ": " + unset);
@@ -82,7 +82,7 @@ TEST_CASE("set-ups: a clip space that nobody gave is refused, and so are scene a
     refused("receiver_matrix", [] { (void)receiver_matrix(glm::mat4(1), glm::mat4(1), {1, 1}, {}); });
     refused("may_mark", [&] { (void)may_mark(scene, glm::mat4(1), {}); });
     image<float> map({4, 4});
-    refused("rasterize", [&] { rasterize_depth(map, mesh_view{}, glm::mat4(1), {}); });
+    refused("rasterize_depth", [&] { rasterize_depth(map, mesh_view{}, glm::mat4(1), {}); });
     CHECK(complaint([] {
               (void)texture_matrix(light_space<float>{}, {1, 1});
           }) == "umbrage::texture_matrix: light." + unset);

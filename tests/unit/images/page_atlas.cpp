@@ -177,18 +177,18 @@ TEST_CASE("draw_pages, write_page_table, visibility: bad input") {
     const std::string name = "umbrage::visibility: ";
     const umbrage::page_map<float> map{scene.atlas, scene.table, scene.size};
     CHECK(seen(map, out).empty());
-    CHECK(seen(map, small).starts_with(name + "out "));
-    CHECK(seen({scene.atlas, scene.table, {.texels = 18, .gutter = 3}}, out).starts_with(name + "gutter "));
-    CHECK(seen({scene.atlas, scene.table, {.texels = 0, .gutter = 4}}, out).starts_with(name + "size "));
-    CHECK(seen({scene.atlas, {}, scene.size}, out).starts_with(name + "table "));
-    CHECK(seen({scene.atlas, scene.table.view().rows(0, 10), scene.size}, out).starts_with(name + "table "));
+    CHECK(seen(map, small).starts_with(name + "out.size "));
+    CHECK(seen({scene.atlas, scene.table, {.texels = 18, .gutter = 3}}, out).starts_with(name + "size.gutter "));
+    CHECK(seen({scene.atlas, scene.table, {.texels = 0, .gutter = 4}}, out).starts_with(name + "size.texels "));
+    CHECK(seen({scene.atlas, {}, scene.size}, out).starts_with(name + "table.size "));
+    CHECK(seen({scene.atlas, scene.table.view().rows(0, 10), scene.size}, out).starts_with(name + "table.size "));
     CHECK(seen({small, scene.table, scene.size}, out).starts_with(name + "table "));
     umbrage::image<glm::u8vec4> table({8, 8});
     CHECK(complaint([&] {
               umbrage::write_page_table(scene.cache, table);
-          }).starts_with("umbrage::write_page_table: table "));
+          }).starts_with("umbrage::write_page_table: table.size must be page_table_size, "));
     const std::array beyond{umbrage::placed_page{{}, {5, 0}}};
     CHECK(complaint([&] {
               umbrage::draw_pages(scene.atlas, scene.size, scene.root, beyond, [](auto, const glm::mat4&) {});
-          }).starts_with("umbrage::image_view: region "));
+          }).starts_with("umbrage::image_view::region: extent "));
 }

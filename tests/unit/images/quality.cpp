@@ -125,7 +125,7 @@ TEST_CASE("measure_quality: bad input") {
     CHECK(with({.map_size = {1, 0}}).starts_with(name + "map_size "));
     CHECK(with({.maps = 0}).starts_with(name + "maps "));
     CHECK(with({.step = 0}).starts_with(name + "step "));
-    CHECK(with({.screen = {2, 3}}, small.view()).starts_with(name + "extents "));
+    CHECK(with({.screen = {2, 3}}, small.view()).starts_with(name + "extents.size "));
 }
 
 TEST_CASE("measure_quality: one map around what a camera sees of a long ground, for suns all around") {

@@ -36,7 +36,7 @@ TEST_CASE("measure_stability: points that stay, move by whole texels, drift, fli
     CHECK(three.changed == 1);
     CHECK(three.change == 0.25);
     CHECK(three.share() == 0.2);
-    CHECK(complaint([&] { (void)up_to(0); }) == "umbrage::measure_stability: frames must be above 0");
+    CHECK(complaint([&] { (void)up_to(0); }) == "umbrage::measure_stability: frames must be above 0; got 0");
 }
 
 TEST_CASE("measure_stability: what adds up over frames is seen, though no step of it is") {

@@ -238,9 +238,9 @@ TEST_CASE("visibility: a filter and an encoding of different directions of depth
     };
     constexpr auto forward = depth_direction::forward, reversed = depth_direction::reversed;
     CHECK(of(rg<11>{.direction = reversed}, filters::pcf_2x2{}) ==
-          "umbrage::visibility: filter must compare reversed depth, as encoding holds it; got forward. Give both the "
-          "map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}");
-    CHECK(of(rgb24{}, filters::box{.is_lit = {reversed}}).find("filter must compare forward depth") !=
+          "umbrage::visibility: filter.is_lit.direction must be the encoding's, reversed; got forward. Give both the "
+          "map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}.");
+    CHECK(of(rgb24{}, filters::box{.is_lit = {reversed}}).find("must be the encoding's, forward; got reversed") !=
           std::string::npos);
     CHECK(of(depth32f{reversed}, filters::rotated_disc{}) != "");
     CHECK(out[{0, 0}] == -1.0f);

@@ -117,17 +117,22 @@ TEST_CASE("hull: takes each kind of body") {
     CHECK(hull().points.empty());
 }
 
-TEST_CASE_TEMPLATE("corners, sphere_around, polyhedron: a frustum that is none, by its argument", T, float, double) {
+TEST_CASE_TEMPLATE("corners, sphere_around, polyhedron, hull: a frustum that is none, by its argument", T, float,
+                   double) {
     const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
     const auto with = [](auto change) {
         frustum<T> f;
         change(f);
         const std::string error = complaint([&] { (void)corners(f); });
-        CHECK(complaint([&] { (void)sphere_around(f); }) == error);
-        CHECK(complaint([&] { (void)polyhedron(f); }) == error);
+        const auto of = [&](const std::string& function) {
+            return error.empty() ? "" : "umbrage::" + function + error.substr(std::string("umbrage::corners").size());
+        };
+        CHECK(complaint([&] { (void)sphere_around(f); }) == of("sphere_around"));
+        CHECK(complaint([&] { (void)polyhedron(f); }) == of("polyhedron"));
+        CHECK(complaint([&] { (void)hull(f); }) == of("hull"));
         return error;
     };
-    const std::string name = "umbrage::frustum: ";
+    const std::string name = "umbrage::corners: frustum.";
     CHECK(with([](auto&) {}).empty());
     CHECK(with([](auto& f) { f.z_near = 0; }).empty());
     CHECK(with([](auto& f) { f.up = f.direction; }).empty());

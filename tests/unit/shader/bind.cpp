@@ -26,7 +26,7 @@ TEST_CASE("bind: what cannot compile is refused, by argument and value") {
         CHECK_THROWS_WITH_AS((void)bind(s, name, map), message, std::invalid_argument);
     };
     refused(glsl::hard, "a b", {},
-            "umbrage::glsl::bind: name must be letters, digits and single underscores between them; got a b");
+            "umbrage::glsl::bind: name must be letters, digits and single underscores between them; got \"a b\"");
     refused(glsl::hard, "a", {.channels = 5}, "umbrage::glsl::bind: map.channels must be 1 to 4; got 5");
     refused(glsl::hard, "a", {.channels = 0}, "umbrage::glsl::bind: map.channels must be 1 to 4; got 0");
     for (const texture kind : {texture::depth, texture::depth_array, texture::shadow, texture::shadow_array})
@@ -34,7 +34,7 @@ TEST_CASE("bind: what cannot compile is refused, by argument and value") {
             refused(glsl::hard, "a", stored_as(rg<11>{}, {.texture = kind, .gather = gather}),
                     "umbrage::glsl::bind: map.channels must be 1 for a depth texture; got 2");
     refused(glsl::hard, "a", {.texture = texture::shadow, .depth = "1.0 - value.x"},
-            "umbrage::glsl::bind: map.depth must be empty for a comparison sampler; got 1.0 - value.x");
+            "umbrage::glsl::bind: map.depth must be empty for a comparison sampler; got \"1.0 - value.x\"");
     for (const texture kind : {texture::cube, texture::cube_faces, texture::integer})
         refused(glsl::pcf_2x2, "a", {.texture = kind, .gather = true},
                 "umbrage::glsl::bind: map.gather must be false where texels of cubes or whole numbers are gathered; "
@@ -42,12 +42,12 @@ TEST_CASE("bind: what cannot compile is refused, by argument and value") {
     CHECK_NOTHROW((void)bind(glsl::hard, "a", {.texture = texture::integer, .gather = true}));  // it gathers nothing
     refused(glsl::pcf_2x2_dx_sdk, "a", {.texture = texture::shadow},
             "umbrage::glsl::bind: what must be a snippet that reads no depths, as a comparison sampler gives none; got "
-            "pcf_2x2_dx_sdk");
+            "\"pcf_2x2_dx_sdk\"");
     refused(glsl::pcf_2x2, "a", stored_as(rgb24{}, {.gather = true}),
             "umbrage::glsl::bind: map.channels must be 1 or 2 where texels are gathered; got 3");
     CHECK_NOTHROW((void)bind(glsl::hard, "a", stored_as(rgb24{}, {.gather = true})));
     refused(glsl::hard, "a", {.needs = {glsl::pcf_2x2}},
-            "umbrage::glsl::bind: map.needs must be snippets that read no map; got pcf_2x2");
+            "umbrage::glsl::bind: map.needs must be snippets that read no map; got \"pcf_2x2\"");
 }
 
 TEST_CASE("bind: texts of one's own are expressions, on one line") {
@@ -55,12 +55,15 @@ TEST_CASE("bind: texts of one's own are expressions, on one line") {
         CHECK_THROWS_WITH_AS((void)bind(glsl::hard, "a", map), message, std::invalid_argument);
     };
     refused({.depth = "value.x; return 1.0"},
-            "umbrage::glsl::bind: map.depth must be one expression on one line; got value.x; return 1.0");
-    refused({.origin = "vec2(1.0"}, "umbrage::glsl::bind: map.origin must be one expression on one line; got vec2(1.0");
-    refused({.texture_size = " "}, "umbrage::glsl::bind: map.texture_size must be one expression on one line; got  ");
-    refused({.texel = "#ifdef A"}, "umbrage::glsl::bind: map.texel must be one expression on one line; got #ifdef A");
+            "umbrage::glsl::bind: map.depth must be one expression on one line; got \"value.x; return 1.0\"");
+    refused({.origin = "vec2(1.0"},
+            "umbrage::glsl::bind: map.origin must be one expression on one line; got \"vec2(1.0\"");
+    refused({.texture_size = " "},
+            "umbrage::glsl::bind: map.texture_size must be one expression on one line; got \" \"");
+    refused({.texel = "#ifdef A"},
+            "umbrage::glsl::bind: map.texel must be one expression on one line; got \"#ifdef A\"");
     refused({.parameters = "int a // layer"},
-            "umbrage::glsl::bind: map.parameters must be parameters on one line; got int a // layer");
-    refused({.arguments = "a)(b"}, "umbrage::glsl::bind: map.arguments must be expressions on one line; got a)(b");
+            "umbrage::glsl::bind: map.parameters must be parameters on one line; got \"int a // layer\"");
+    refused({.arguments = "a)(b"}, "umbrage::glsl::bind: map.arguments must be expressions on one line; got \"a)(b\"");
     CHECK_NOTHROW((void)bind(glsl::hard, "a", {.texel = "metal::float4{maps[layer].read(uint2(at)).x}"}));
 }

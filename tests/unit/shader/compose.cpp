@@ -73,23 +73,24 @@ TEST_CASE("a map without a name: beside it stands what belongs to no map, not wh
     CHECK(glsl::text({bind(glsl::hard, "", packed), glsl::decode_rg<11>}).find("float umbrage_hard(") !=
           std::string::npos);
     for (const binding& map : {packed, binding{}}) {  // whatever the order, and be it of the same kind
-        CHECK_THROWS_WITH_AS((void)glsl::text({bind(glsl::hard, "", map), glsl::box}),
-                             "umbrage::glsl::text: name must be another for each map; got \"\" for two",
-                             std::invalid_argument);
+        CHECK_THROWS_WITH_AS(
+            (void)glsl::text({bind(glsl::hard, "", map), glsl::box}),
+            "umbrage::glsl::text: name must be another for each map; got \"\". It is the name of two maps.",
+            std::invalid_argument);
         CHECK_THROWS_AS((void)glsl::text({glsl::box, bind(glsl::hard, "", map)}), std::invalid_argument);
     }
 }
 
 TEST_CASE("names that make one function of two, or one guard, are refused") {
     CHECK_THROWS_WITH_AS((void)glsl::text({bind(glsl::hard, "rg11", packed)}),
-                         "umbrage::glsl::text: names must keep functions apart, in capitals too; got "
+                         "umbrage::glsl::text: name must be such that functions differ, in capitals too; got "
                          "umbrage_decode_rg11 and umbrage_decode_rg11",
                          std::invalid_argument);
-    CHECK_THROWS_WITH_AS(
-        (void)glsl::text({bind(glsl::hard, "sun"), bind(glsl::hard, "Sun", layered)}),
-        "umbrage::glsl::text: names must keep functions apart, in capitals too; got umbrage_beyond_far_plane_sun "
-        "and umbrage_beyond_far_plane_Sun",
-        std::invalid_argument);
+    CHECK_THROWS_WITH_AS((void)glsl::text({bind(glsl::hard, "sun"), bind(glsl::hard, "Sun", layered)}),
+                         "umbrage::glsl::text: name must be such that functions differ, in capitals too; got "
+                         "umbrage_beyond_far_plane_sun "
+                         "and umbrage_beyond_far_plane_Sun",
+                         std::invalid_argument);
     CHECK_THROWS_AS((void)glsl::text({bind(glsl::hard, "2x2"), glsl::pcf_2x2}), std::invalid_argument);
 }
 

@@ -34,21 +34,21 @@ TEST_CASE("parameters of one's own: what is read is among them, and no name is t
         CHECK_THROWS_WITH_AS((void)glsl::text({bind(glsl::hard, "a", map)}), message, std::invalid_argument);
     };
     refused({.parameters = "int layer", .arguments = "layer"},
-            "umbrage::glsl::bind: map.parameters must declare map; got int layer");
+            "umbrage::glsl::bind: map.parameters must be parameters that declare map; got \"int layer\"");
     refused({.texture = texture::array, .parameters = "sampler2DArray map"},
-            "umbrage::glsl::bind: map.arguments must be as many as map.parameters; got \"map, layer\" for "
-            "\"sampler2DArray map\"");
+            "umbrage::glsl::bind: map.arguments must be as many as map.parameters; got \"map, layer\". "
+            "The parameters are sampler2DArray map.");
     refused({.arguments = "map, 1"},
-            "umbrage::glsl::bind: map.arguments must be as many as map.parameters; got \"map, 1\" for "
-            "\"UMBRAGE_HIGHP sampler2D map\"");
+            "umbrage::glsl::bind: map.arguments must be as many as map.parameters; got \"map, 1\". "
+            "The parameters are UMBRAGE_HIGHP sampler2D map.");
     refused({.parameters = "int size", .arguments = "size", .texel = "fetch(size, at)"},
-            "umbrage::glsl::bind: map.parameters must be named otherwise than what umbrage_texel names; got size");
+            "umbrage::glsl::bind: map.parameters must be named otherwise than what umbrage_texel names; got \"size\"");
     CHECK_NOTHROW((void)glsl::text({bind(glsl::hard, "a", {.parameters = "lowp sampler2D map"})}));
     const binding unity{.texture = texture::shadow, .parameters = "Texture2D map, SamplerComparisonState map_sampler"};
     CHECK_NOTHROW((void)hlsl::text({bind(glsl::hard, "a", unity)}));
     const binding without{.texture = texture::shadow, .parameters = "Texture2D map, SamplerComparisonState s"};
     CHECK_THROWS_WITH_AS((void)hlsl::text({bind(glsl::hard, "a", without)}),
-                         "umbrage::glsl::bind: map.parameters must declare map_sampler; got Texture2D map, "
-                         "SamplerComparisonState s",
+                         "umbrage::glsl::bind: map.parameters must be parameters that declare map_sampler; got "
+                         "\"Texture2D map, SamplerComparisonState s\"",
                          std::invalid_argument);
 }

@@ -96,7 +96,9 @@ TEST_CASE("hlsl: every kind of map, and nothing of it left open") {
 
 TEST_CASE("hlsl: what it has no word for") {
     constexpr glsl::snippet swirl{.name = "swirl", .source = "\nfloat umbrage_swirl(float v) { return dFdx(v); }\n"};
-    CHECK_THROWS_WITH_AS((void)hlsl::text({swirl}), "umbrage::hlsl::text: no word for dFdx", std::invalid_argument);
+    CHECK_THROWS_WITH_AS((void)hlsl::text({swirl}),
+                         "umbrage::hlsl::text: source must be of words that the language has; got \"dFdx\"",
+                         std::invalid_argument);
     constexpr glsl::snippet point{.name = "point", .source = "\nfloat umbrage_point(float point) { return point; }\n"};
     CHECK_THROWS_AS((void)hlsl::text({point}), std::invalid_argument);
     const glsl::binding tile{.texture = glsl::texture::shadow, .origin = "float2(64.0, 0.0)"};

@@ -84,7 +84,9 @@ TEST_CASE("msl: every kind of map, and nothing of it left open") {
 
 TEST_CASE("msl: what it has no word for") {
     constexpr glsl::snippet swirl{.name = "swirl", .source = "\nfloat umbrage_swirl(float v) { return dFdx(v); }\n"};
-    CHECK_THROWS_WITH_AS((void)msl::text({swirl}), "umbrage::msl::text: no word for dFdx", std::invalid_argument);
+    CHECK_THROWS_WITH_AS((void)msl::text({swirl}),
+                         "umbrage::msl::text: source must be of words that the language has; got \"dFdx\"",
+                         std::invalid_argument);
     constexpr glsl::snippet half{.name = "half", .source = "\nfloat umbrage_half(float half) { return half; }\n"};
     CHECK_THROWS_AS((void)msl::text({half}), std::invalid_argument);
 }

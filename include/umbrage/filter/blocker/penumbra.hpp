@@ -53,11 +53,13 @@ template <real T>
 [[nodiscard]] penumbra_params make_penumbra_params(glm::vec<2, T> units, T light_size, T min_radius = T(1),
                                                    T max_radius = T(16)) {
     constexpr auto function = "make_penumbra_params";
-    detail::require(is_finite(light_size) && light_size >= T(0), function, "light_size", "must be finite, not below 0");
+    detail::require(is_finite(light_size) && light_size >= T(0), function, "light_size", "finite, 0 or more",
+                    light_size);
     detail::require(detail::all_finite(units) && units.x > T(0) && units.y > T(0), function, "units",
-                    "must be finite and above 0");
+                    "finite and above 0", units);
     detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
-                    "min_radius and max_radius", "must be in order, from 0 to 255.9375");
+                    "min_radius and max_radius", "in order, from 0 to 255.9375",
+                    glm::vec<2, T>(min_radius, max_radius));
     const auto exact = double(light_size) / (4096.0 * double(units.x) * double(units.y));
     int exponent = 0;
     const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);

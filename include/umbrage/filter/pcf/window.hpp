@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <string>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -53,17 +54,19 @@ struct window_row {
 /// @param steps   of a texel, a power of two up to 256; times the sum of all weights it is a whole number up to 4096
 /// @throws std::invalid_argument  anything else
 [[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
-    if (size < 1 || size > max_window) detail::fail("umbrage::make_window_row: size");
-    if (steps < 1 || steps > 256 || (steps & (steps - 1)) != 0) detail::fail("umbrage::make_window_row: steps");
+    constexpr auto function = "make_window_row";
+    detail::require(size >= 1 && size <= max_window, function, "size", "from 1 to 15", size);
+    detail::require(steps >= 1 && steps <= 256 && (steps & (steps - 1)) == 0, function, "steps",
+                    "a power of two from 1 to 256", steps);
     float sum = 0.0f;
     for (int i = 0; i < size; ++i) {
         const float weight = half[static_cast<std::size_t>(i < size - 1 - i ? i : size - 1 - i)];
-        if (!(weight >= 0.0f)) detail::fail("umbrage::make_window_row: weights");
+        detail::require(weight >= 0.0f, function, "half", "weights of 0 or more", weight);
         sum += weight;
     }
     const float whole = sum * static_cast<float>(steps);
-    if (!(whole >= 1.0f && whole <= 4096.0f) || whole != static_cast<float>(static_cast<int>(whole)))
-        detail::fail("umbrage::make_window_row: sum of the weights");
+    const bool integer = whole >= 1.0f && whole <= 4096.0f && whole == static_cast<float>(static_cast<int>(whole));
+    detail::require(integer, function, "the sum of all weights times steps", "an integer from 1 to 4096", whole);
     return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
 }
 

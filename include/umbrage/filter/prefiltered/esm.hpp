@@ -11,6 +11,7 @@
 // casters.
 #pragma once
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/filter/prefiltered/chebyshev.hpp>
 #include <umbrage/filter/prefiltered/exp2.hpp>
 
@@ -64,9 +65,10 @@ struct esm_settings {
 /// @throws std::invalid_argument   exponent not above 0, or beyond what keeps the texels and their inverses normal
 ///                                 numbers: 63 in 32 bits, 14 in 16
 [[nodiscard]] inline esm_settings make_esm(const esm_settings& settings) {
-    const float most = settings.store == float_store::single ? 63.0f : 14.0f;
-    if (!(settings.exponent > 0.0f && settings.exponent <= most))
-        detail::fail("umbrage::make_esm: exponent not above 0, or above 63, 14 in 16 bits");
+    const bool single = settings.store == float_store::single;
+    detail::require(settings.exponent > 0.0f && settings.exponent <= (single ? 63.0f : 14.0f), "make_esm", "exponent",
+                    single ? "above 0 and at most 63" : "above 0 and at most 14 in 16 bits", settings.exponent,
+                    "Beyond that the warped depth overflows.");
     return settings;
 }
 

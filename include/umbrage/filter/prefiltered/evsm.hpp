@@ -14,6 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/filter/prefiltered/chebyshev.hpp>
 #include <umbrage/filter/prefiltered/esm.hpp>
 
@@ -107,15 +108,17 @@ struct evsm_parameters {
 [[nodiscard]] inline evsm_parameters make_evsm(const evsm_settings& settings) {
     const bool single = settings.store == float_store::single;
     const float most = single ? 55.0f : 7.99f, usual = single ? 1e-4f : 1e-2f;
-    if (!(settings.least_deviation >= 0.0f)) detail::fail("umbrage::make_evsm: least deviation below 0");
+    constexpr auto function = "make_evsm";
+    detail::require(settings.least_deviation >= 0.0f, function, "least_deviation", "0 or more",
+                    settings.least_deviation);
     const float least = settings.least_deviation > 0.0f ? settings.least_deviation : usual;
     const auto deviation = [&](float exponent, bool falls) {
-        if (!(exponent > 0.0f && exponent <= most))
-            detail::fail("umbrage::make_evsm: exponent not above 0, or above 55, 7.99 in 16 bits");
+        detail::require(exponent > 0.0f && exponent <= most, function, falls ? "falling" : "exponent",
+                        single ? "above 0 and at most 55" : "above 0 and at most 7.99 in 16 bits", exponent);
         const float part = exponent * (1.38629436f * least);
         const float least_power = falls ? exp2_polynomial(-exponent) : 1.0f;
-        if (part * least_power < 0x1p-51f)  // squares that count beside its square may be below 2^-126
-            detail::fail("umbrage::make_evsm: least deviation too small for the exponent");
+        // squares that count beside its square may be below 2^-126
+        detail::require(part * least_power >= 0x1p-51f, function, "least_deviation", "larger for this exponent", least);
         return part;
     };
     return {{settings.exponent, settings.falling},

@@ -19,6 +19,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/scalar.hpp>
@@ -45,10 +46,10 @@ struct snapped_vertex {
 };
 
 /// @throws std::invalid_argument  a side is negative or above guard_band
-inline void require_drawable(glm::ivec2 size, clip_space clip) {
-    require_given(clip, "rasterize");
-    if (size.x < 0 || size.y < 0) detail::fail("umbrage::rasterize: negative size");
-    if (size.x > guard_band || size.y > guard_band) detail::fail("umbrage::rasterize: image side above 16384 texels");
+inline void require_drawable(glm::ivec2 size, clip_space clip, const char* function) {
+    require_given(clip, function);
+    require(size.x >= 0 && size.y >= 0 && size.x <= guard_band && size.y <= guard_band, function, "size",
+            "from 0 to 16384 texels a side", size);
 }
 
 /// What stands for a vertex outside of planes: off the grid, with their bits.
@@ -70,9 +71,9 @@ public:
 
     /// @param world_to_clip  projection * view; its elements must be finite
     /// @throws std::invalid_argument  see require_drawable
-    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
+    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size, const char* function = "rasterize")
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        require_drawable(size, clip);
+        require_drawable(size, clip, function);
     }
 
     [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {

@@ -3,7 +3,7 @@
 // Instances of a mesh on the grid of an image, a chunk of triangles at a time: their vertices projected and snapped,
 // they themselves clipped and handed out in batches, in the mesh's order or so that threads draw side by side.
 //
-//     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, near_plane::clips);
+//     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, at_near, serial{}, "rasterize");
 //     snapped.for_each_chunk(serial{}, [&] {
 //         snapped.for_each_batch([&](const triangles& batch) { ... });
 //     });
@@ -45,19 +45,19 @@ public:
     /// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above guard_band
     template <class ParallelFor>
     snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::mat4> to_clip, clip_space clip,
-                 cull_mode cull, near_plane at_near, ParallelFor&& parallel)
+                 cull_mode cull, near_plane at_near, ParallelFor&& parallel, const char* function)
         : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
-        require_drawable(size, clip);
+        require_drawable(size, clip, function);
         if (mesh.triangles.empty()) return;
-        indices_.resize((mesh.triangles.size() + piece - 1) / piece);
+        const std::size_t count = mesh.triangles.size();
+        indices_.resize((count + piece - 1) / piece);
         in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {
             const glm::uvec3* const triangles = mesh.triangles.data();
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
-                indices_[i] =
-                    indices_of(triangles + i * piece, triangles + lesser((i + 1) * piece, mesh.triangles.size()));
+                indices_[i] = indices_of(triangles + i * piece, triangles + lesser((i + 1) * piece, count));
         });
-        if (indices_from(0, mesh.triangles.size()).highest >= mesh.positions.size())
-            detail::fail("umbrage::rasterize: a triangle's index is out of range");
+        const std::size_t highest = indices_from(0, count).highest;
+        require(highest < mesh.positions.size(), function, "mesh.triangles", "indices of positions", highest);
         if (size.x == 0 || size.y == 0) return;
         for (const glm::mat4& matrix : to_clip)
             if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);

@@ -88,9 +88,9 @@ template <class = detail::on_use>
 [[nodiscard]] std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
                                              int deepest_level) {
     constexpr auto function = "wanted_pages";
-    detail::require(is_finite(target) && target > 0.0, function, "target", "must be finite and above 0");
+    detail::require(is_finite(target) && target > 0.0, function, "target", "finite and above 0", target);
     detail::require(deepest_level >= 0 && deepest_level <= deepest_page_level, function, "deepest_level",
-                    "must lie between 0 and 15");
+                    "from 0 to 15", deepest_level);
     std::vector<page> pages;
     for (const page_receiver& r : receivers) {
         const int level = detail::wanted_level(r, target, deepest_level);
@@ -137,11 +137,12 @@ public:
     explicit page_cache(const page_budget& budget) : budget_(budget), target_(budget.target) {
         constexpr auto function = "page_cache";
         const auto fits = [](int n) { return n >= 1 && n <= 256; };
-        detail::require(fits(budget.slots.x) && fits(budget.slots.y), function, "slots", "must be 1 to 256 each");
+        detail::require(fits(budget.slots.x) && fits(budget.slots.y), function, "slots", "from 1 to 256 each",
+                        budget.slots);
         detail::require(budget.deepest_level >= 0 && budget.deepest_level <= deepest_page_level, function,
-                        "deepest_level", "must lie between 0 and 15");
-        detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target",
-                        "must be finite and above 0");
+                        "deepest_level", "from 0 to 15", budget.deepest_level);
+        detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target", "finite and above 0",
+                        budget.target);
         for (int y = budget.slots.y; y-- > 0;)
             for (int x = budget.slots.x; x-- > 0;) free_.push_back({x, y});
     }

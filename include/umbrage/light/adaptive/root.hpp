@@ -48,8 +48,8 @@ template <real T = float>
     constexpr auto function = "make_page_root";
     detail::require_given(root.clip, function);
     detail::require_given(root.scene, function, "scene");
-    detail::require(detail::all_finite(root.center), function, "center", "must be finite");
-    detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
+    detail::require(detail::all_finite(root.center), function, "center", "finite", root.center);
+    detail::require(is_finite(root.side) && root.side > T(0), function, "side", "finite and above 0", root.side);
     light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),
                                                  root.clip.hand, function, ""),
                               {},
@@ -79,13 +79,14 @@ template <real T>
 template <real T>
 [[nodiscard]] light_space<T> page_light(const light_space<T>& root, const page& p, const page_size& size) {
     constexpr auto function = "page_light";
-    detail::require(p.level >= 0 && p.level <= deepest_page_level, function, "level", "must lie between 0 and 15");
+    detail::require(p.level >= 0 && p.level <= deepest_page_level, function, "level", "from 0 to 15", p.level);
     const int across = 1 << p.level;
-    detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "must lie in the root");
-    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels",
-                    "must be a power of two");
-    detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter",
-                    "must lie between 0 and half the texels");
+    detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "in the root",
+                    glm::ivec2(p.x, p.y));
+    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels", "a power of two",
+                    size.texels);
+    detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter", "from 0 to half the texels",
+                    size.gutter);
     const double scale = double(across) * size.texels / size.pitch();
     const double up = root.clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     const glm::dvec2 middle((2 * p.x + 1.0) / across - 1.0, up * ((2 * p.y + 1.0) / across - 1.0));

@@ -60,7 +60,7 @@ template <real T>
                        glm::vec<4, T>(offset)};
     const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
     require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
-            "must not give too large or too small a cascade");
+            "such that a cascade is neither too large nor too small", c.scale);
     return c;
 }
 
@@ -71,12 +71,14 @@ template <std::size_t Count, real T>
                                                               const char* function) {
     require_given(fit.clip, function);
     require_given(fit.scene, function, "scene");
-    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
+    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits[0]", "finite, 0 or more", splits[0]);
     for (std::size_t i = 0; i < Count; ++i)
-        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "must be above 2 margin + 1");
-    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "must lie between 0 and 1");
+        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits",
+                "finite and in ascending order", glm::vec<2, T>(splits[i], splits[i + 1]));
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
+    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "above 2 margin + 1",
+            fit.map_size);
+    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "from 0 to 1", fit.overlap);
     std::array<frustum<double>, Count> parts;
     for (std::size_t i = 0; i < Count; ++i) {
         const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
@@ -87,6 +89,7 @@ template <std::size_t Count, real T>
                     double(fit.camera.tan_half_y),
                     double(splits[i]) - double(fit.overlap) * before,
                     double(splits[i + 1])};
+        require_frustum(parts[i], function, "camera");
     }
     return parts;
 }
@@ -216,7 +219,7 @@ template <real T, std::size_t Count>
     static_assert(Count >= 1 && Count <= 4,
                   "umbrage::make_cascade_uniforms: one to four cascades, as cascade_column and cascade_by_projection "
                   "take four");
-    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
+    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
     cascade_uniforms<T> u;
     u.rotation = cascades[0].light.view;
     u.ends = glm::vec<3, T>(detail::highest<T>);

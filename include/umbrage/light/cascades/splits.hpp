@@ -30,10 +30,9 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<T, Count + 1> practical_splits(T z_near, T z_far, T lambda) {
     static_assert(Count > 0);
     constexpr auto function = "practical_splits";
-    detail::require(is_finite(z_near) && z_near > T(0), function, "z_near", "must be finite and above 0");
-    detail::require(is_finite(z_far) && z_far > z_near, function, "z_far", "must be finite and above z_near");
-    detail::require(is_finite(lambda) && lambda >= T(0) && lambda <= T(1), function, "lambda",
-                    "must lie between 0 and 1");
+    detail::require(is_finite(z_near) && z_near > T(0), function, "z_near", "finite and above 0", z_near);
+    detail::require(is_finite(z_far) && z_far > z_near, function, "z_far", "finite and above z_near", z_far);
+    detail::require(is_finite(lambda) && lambda >= T(0) && lambda <= T(1), function, "lambda", "from 0 to 1", lambda);
     const double n = static_cast<double>(z_near), f = static_cast<double>(z_far), log_n = std::log(n);
     const double share = static_cast<double>(lambda), log_range = std::log(f) - log_n;  // f / n may overflow
     std::array<T, Count + 1> splits;
@@ -44,7 +43,8 @@ template <std::size_t Count, real T>
     }
     splits[Count] = z_far;
     for (std::size_t i = 0; i < Count; ++i)
-        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "must be farther apart");
+        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "farther apart",
+                        glm::vec<2, T>(z_near, z_far));
     return splits;
 }
 

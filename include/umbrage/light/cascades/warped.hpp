@@ -91,8 +91,8 @@ template <real T, std::size_t Count>
     const std::array<warped_cascade<T>, Count>& cascades, int map_size, T fade) {
     constexpr auto function = "make_cascade_uniforms";
     static_assert(Count >= 1);
-    detail::require(map_size >= 1, function, "map_size", "must be above 0");
-    detail::require(fade >= T(0) && fade <= T(1), function, "fade", "must lie between 0 and 1");
+    detail::require(map_size >= 1, function, "map_size", "above 0", map_size);
+    detail::require(fade >= T(0) && fade <= T(1), function, "fade", "from 0 to 1", fade);
     warped_cascade_uniforms<T, Count> u;
     u.ends.fill(glm::vec<3, T>(detail::highest<T>));
     for (std::size_t i = 0; i < Count; ++i) {

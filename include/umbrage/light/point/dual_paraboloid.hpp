@@ -84,13 +84,13 @@ template <real T>
 template <real T = float>
 [[nodiscard]] light_space<T> make_dual_paraboloid_light(const dual_paraboloid_light<T>& light) {
     constexpr auto function = "make_dual_paraboloid_light";
-    detail::require(light.map_size >= 16, function, "map_size", "must be at least 16");
+    detail::require(light.map_size >= 16, function, "map_size", "16 or more", light.map_size);
     detail::require(light.border >= 0 && light.border <= light.map_size / 8, function, "border",
-                    "must be at least 0 and at most an eighth of map_size");
+                    "from 0 to an eighth of map_size", light.border);
     detail::require_given(light.clip, function);
-    detail::require(detail::all_finite(light.position), function, "position", "must be finite");
+    detail::require(detail::all_finite(light.position), function, "position", "finite", light.position);
     const bool in_range = light.range > T(0) && detail::is_normal(light.range) && detail::is_normal(T(1) / light.range);
-    detail::require(in_range, function, "range", "must be above 0, and it and 1 / range finite");
+    detail::require(in_range, function, "range", "above 0, and it and 1 / range finite", light.range);
     const auto [at_light, at_range] = detail::ends<T>(light.clip);
     light_space<T> space{.clip = light.clip};
     space.view[3] = glm::vec<4, T>(-light.position, T(1));

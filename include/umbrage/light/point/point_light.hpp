@@ -38,9 +38,9 @@ struct point_light {
 template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 6> make_point_light(const point_light<T>& light) {
     constexpr auto function = "make_point_light";
-    detail::require(light.border >= 0, function, "border", "must not be below 0");
+    detail::require(light.border >= 0, function, "border", "0 or more", light.border);
     detail::require(light.map_size / 2 >= light.border && light.map_size > 2 * light.border, function, "map_size",
-                    "must be above twice the border");
+                    "above twice the border", light.map_size);
     const T extent = T(light.map_size) / T(light.map_size - 2 * light.border);
     glm::mat<4, 4, T> projection = detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function);
     if (light.clip.hand == handedness::left) projection[0][0] = -projection[0][0];

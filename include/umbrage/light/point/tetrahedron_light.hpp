@@ -82,15 +82,15 @@ template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 4> make_tetrahedron_light(const tetrahedron_light<T>& light,
                                                                    const std::array<tetrahedron_tile<T>, 4>& tiles) {
     constexpr auto function = "make_tetrahedron_light";
-    detail::require(light.map_size >= 1, function, "map_size", "must be above 0");
-    detail::require(light.border >= 0, function, "border", "must not be below 0");
+    detail::require(light.map_size >= 1, function, "map_size", "above 0", light.map_size);
+    detail::require(light.border >= 0, function, "border", "0 or more", light.border);
     const glm::mat<4, 4, T> depths = detail::perspective(T(1), T(1), light.z_near, light.z_far, light.clip, function);
     std::array<light_space<T>, 4> faces;
     for (int i = 0; i < 4; ++i) {
         const tetrahedron_tile<T>& whole = tiles[static_cast<std::size_t>(i)];
         const tetrahedron_tile<T> tile = without_border(whole, T(light.border));
         detail::require(glm::dot(tile[1] - tile[0], whole[1] - whole[0]) > T(0), function, "border",
-                        "must leave something of each triangle");
+                        "narrow enough to leave some of each triangle", light.border);
         const glm::vec<3, T> normal = tetrahedron_normal<T>(i);
         glm::mat<2, 3, T> rows(T(0));  // of x w and y w, w = normal . p
         for (int j = 0, corner = 0; j < 4; ++j) {

@@ -39,19 +39,18 @@ struct axis_view {
 
 template <real T>
 [[nodiscard]] axis_view view_of(const light_position<T>& from, const warp_fit<T>& fit, const char* function) {
-    require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near",
-            "must be above 0, finite and no denormal");
-    const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
+    const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit, function);
     axis_view v;
     v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "from.position"), fit.clip.hand);
     const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(*fit.receivers));
     const auto [low, high] = extent_of(receivers);
     v.least = low.z, v.farthest = high.z;
     require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
-            "must lie before the light, beyond from.z_near");
+            "farther from the light than from.z_near, at finite distances", glm::dvec2(v.least, v.farthest));
     if (!fit.casters) return v;
     double edge = 1.0;
     for (const glm::dvec3& p : receivers) edge = greater(edge, greater(glm::abs(p.x), glm::abs(p.y)) / p.z);
+    require(is_finite(16.0 * edge), function, "receivers", "within a finite slope of the light's axis", edge);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
     v.casters = intersection(all, *fit.casters);
     return v;
@@ -60,14 +59,17 @@ template <real T>
 /// Falls back to what is right before the light where there are no receivers.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const light_position<T>& from, const char* function) {
+    require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near", "above 0, finite and no denormal",
+            from.z_near);
     if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
+    (void)look_along(from.position, fit.direction, glm::vec<3, T>(0), fit.clip.hand, function, "from.position");
     const double closest(from.z_near);
-    return completed(fit,
-                     frustum<double>{.position = glm::dvec3(from.position),
-                                     .direction = glm::dvec3(fit.direction),
-                                     .z_near = 2.0 * closest,
-                                     .z_far = 4.0 * closest},
-                     function);
+    const frustum<double> ahead{.position = glm::dvec3(from.position),
+                                .direction = glm::dvec3(fit.direction),
+                                .z_near = 2.0 * closest,
+                                .z_far = 4.0 * closest};
+    require_frustum(ahead, function, "from");
+    return completed(fit, ahead, function);
 }
 
 /// What the light sees along its axis: x, y, depth and w, of no warp.
@@ -82,7 +84,7 @@ template <class = on_use>
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const axis_view& v, const warp_fit<T>& fit, const char* function) {
     const auto light = refit(map_along(v), fit, v.casters, function);
-    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a map");
+    if (!light) refuse_size(fit, function);
     return *light;
 }
 

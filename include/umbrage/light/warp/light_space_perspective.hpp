@@ -47,7 +47,7 @@ template <real T>
 [[nodiscard]] along_view make_along_view(const warp_fit<T>& fit, const char* function) {
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
-    const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera)[2];
+    const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera, function, "camera")[2];
     v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
@@ -136,7 +136,7 @@ template <real T = float>
     constexpr auto function = "fit_light_space_perspective";
     const warp_fit<T> whole = detail::completed(fit, function);
     const detail::along_view v = detail::make_along_view(whole, function);
-    detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
+    if (distance) detail::require(*distance > T(0), function, "distance", "above 0", *distance);
     return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), whole, function);
 }
 

@@ -58,7 +58,7 @@ namespace detail {
 template <real T>
 [[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
                                    const char* function) {
-    const glm::dvec3 eye(camera.position), ahead = axes(camera)[2];
+    const glm::dvec3 eye(camera.position), ahead = axes(camera, function, "camera")[2];
     double least = highest<double>, greatest = -least;
     for (const glm::dvec3& p : points) {
         const double z = glm::dot(p - eye, ahead);
@@ -66,7 +66,8 @@ template <real T>
     }
     const double back = slide - detail::lesser(least, 0.0), z_near = least + back;
     const double z_far = detail::greater(greatest + back, z_near * (1.0 + 0x1p-8));
-    require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers", "must lie nearer to the camera");
+    require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers",
+            "near enough to the camera for finite distances", glm::dvec2(z_near, z_far));
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
     return perspective(double(camera.tan_half_x), double(camera.tan_half_y), z_near, z_far, opengl_clip_space,
@@ -174,7 +175,7 @@ template <real T, class Instead>
                                                   const polyhedron& casters, T slide, const char* function,
                                                   const glm::dmat4& frame, const glm::dmat4& stand_in,
                                                   Instead&& instead) {
-    require(is_normal(slide) && slide > T(0), function, "slide", "must be above 0 and finite");
+    require(is_normal(slide) && slide > T(0), function, "slide", "above 0 and finite", slide);
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
     const glm::dvec4 image = to_ndc * light;

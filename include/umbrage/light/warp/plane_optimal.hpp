@@ -63,7 +63,7 @@ template <real T>
                                                               const char* function) {
     glm::dvec4 ground(plane);
     require(all_finite(plane) && is_normal(glm::length(glm::dvec3(ground))), function, "plane",
-            "must be finite and have a normal");
+            "finite, with a normal other than 0", plane);
     ground /= glm::length(glm::dvec3(ground)) * (glm::dot(ground, light) < 0.0 ? -1.0 : 1.0);
     const double height = glm::dot(ground, light);
     const std::vector<glm::dvec3> seen = crossings(fit.camera, ground);
@@ -71,7 +71,7 @@ template <real T>
 
     // along the light onto the plane, and from there onto the screen; heights over the plane are depth
     const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
-    const glm::dmat3 camera = axes(fit.camera);
+    const glm::dmat3 camera = axes(fit.camera, function, "camera");
     glm::dmat4 rows;
     const auto row = [&](const glm::dvec3& a) {
         return glm::dvec4(a, -glm::dot(a, glm::dvec3(fit.camera.position))) * cast;
@@ -103,7 +103,8 @@ template <real T>
     const double deep = greater(double(fit.margin), 0x1p-8) * greater(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
-    require(warped.has_value(), function, "plane and camera", "must not give too large or too small a map");
+    require(warped.has_value(), function, "plane and camera", "such that the map is neither too large nor too small",
+            plane);
     return warped;
 }
 

@@ -39,7 +39,7 @@ template <real T = float>
     constexpr auto function = "fit_trapezoidal";
     const warp_fit<T> whole = detail::completed(fit, function);
     const detail::along_view v = detail::make_along_view(whole, function);
-    detail::require(is_finite(focus) && focus >= T(0), function, "focus", "must be finite and not below 0");
+    detail::require(is_finite(focus) && focus >= T(0), function, "focus", "finite, 0 or more", focus);
     const double f = detail::greater(v.camera_y + double(focus) * v.sine - v.first.y, 0.0),
                  rest = 1.6 * v.length - 2.0 * f;
     if (!(rest > 0.0)) return detail::unwarped(whole, function);

@@ -67,23 +67,24 @@ template <real T>
     require_given(fit.clip, function);
     if (given(fit.receivers, function).points.empty()) fit.receivers = instead;
     // beyond that float has no digits left for the receivers, and rows of the matrix become multiples of w's
-    require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin",
-            "must be from 0 to 1000", double(fit.margin));
-    if (fit.casters) (void)corners(*fit.casters);
+    require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin", "from 0 to 1000",
+            fit.margin);
+    if (fit.casters) require_box(*fit.casters, function, "casters");
     return fit;
 }
 
 /// Falls back to the camera's frustum where the camera sees nothing of the scene.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const char* function) {
+    require_frustum(fit.camera, function, "camera");
     return completed(fit, fit.camera, function);
 }
 
 /// The way y goes in a map: the way the camera looks, or the camera's up where the sine between its view and the light
 /// is below 1e-3. Maps are not warped there, but turn at once as the sine passes 1e-3: their texels then shimmer.
 template <real T>
-[[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit) {
-    const glm::dmat3 camera = axes(fit.camera);
+[[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit, const char* function) {
+    const glm::dmat3 camera = axes(fit.camera, function, "camera");
     const bool along = !(glm::length(glm::cross(camera[2], unit(glm::dvec3(fit.direction)))) > 1e-3);
     return camera[along ? 1 : 2];
 }
@@ -91,7 +92,7 @@ template <real T>
 /// The light's view that maps are drawn in.
 template <real T>
 [[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
-    return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
+    return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit, function), fit.clip.hand, function, "");
 }
 
 /// Least and greatest depth in a map of a body within planes of the map's space.
@@ -173,11 +174,19 @@ template <real T>
     return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
 }
 
+/// Refuses receivers, casters and margin that give a map too large or too small for the numbers.
+template <real T>
+[[noreturn]] void refuse_size(const warp_fit<T>& fit, const char* function) {
+    const extent box = extent_of(corners_of(*fit.receivers));
+    refuse(function, "receivers, casters and margin", "such that the map's size is neither too large nor too small",
+           box.high - box.low, "That is the receivers' extent.");
+}
+
 /// No warp: the map as fit_directional_light lays it, but with the margin and the way up of warps.
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
     const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
-    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a box");
+    if (!light) refuse_size(fit, function);
     return *light;
 }
 

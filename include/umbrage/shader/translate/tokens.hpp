@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/literal.hpp>
 
@@ -51,7 +52,7 @@ struct token {
 /// The pieces of `text`, which must outlive them; the last is an end, whose space is what is left.
 /// @throws std::invalid_argument   for a character that is none of GLSL's
 template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<token> tokens(std::string_view text) {
+[[nodiscard]] std::vector<token> tokens(std::string_view text, std::string_view language = "glsl") {
     std::vector<token> all;
     for (std::size_t i = 0;;) {
         const std::size_t from = i;
@@ -73,7 +74,8 @@ template <class = umbrage::detail::on_use>
                 t.kind = piece::sign;
                 i += sign_at(rest).size();
                 if (i == at)
-                    umbrage::detail::fail("umbrage: not a character of GLSL: " + std::string(rest.substr(0, 1)));
+                    umbrage::detail::refuse(std::string(language) + "::text", "source", "of characters of GLSL",
+                                            rest.substr(0, 1));
             }
             t.text = text.substr(at, i - at);
         }
@@ -99,7 +101,7 @@ template <class = umbrage::detail::on_use>
 /// The bracket that closes the one at all[i].
 /// @throws std::invalid_argument   where none does
 template <class = umbrage::detail::on_use>
-[[nodiscard]] std::size_t closing(const std::vector<token>& all, std::size_t i) {
+[[nodiscard]] std::size_t closing(const std::vector<token>& all, std::size_t i, std::string_view language = "glsl") {
     std::size_t depth = 0;
     for (std::size_t k = i; k < all.size(); ++k) {
         if (all[k].kind != piece::sign) continue;
@@ -107,7 +109,8 @@ template <class = umbrage::detail::on_use>
         if (c == '(' || c == '[' || c == '{') ++depth;
         if ((c == ')' || c == ']' || c == '}') && --depth == 0) return k;
     }
-    umbrage::detail::fail("umbrage: a bracket is not closed");
+    umbrage::detail::refuse(std::string(language) + "::text", "source", "of brackets in pairs", all[i].text,
+                            "Nothing closes it.");
 }
 
 }  // namespace umbrage::glsl::detail

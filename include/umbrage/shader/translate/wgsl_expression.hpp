@@ -65,7 +65,7 @@ template <class = umbrage::detail::on_use>
 class expressions {
 public:
     expressions(std::string_view text, const signatures& functions)
-        : all_(glsl::detail::newest(glsl::detail::tokens(text))), functions_(functions) {}
+        : all_(glsl::detail::newest(glsl::detail::tokens(text, "wgsl"))), functions_(functions) {}
 
     std::size_t at = 0;               ///< the next token
     std::vector<variable> variables;  ///< in scope; of two of one name the last counts

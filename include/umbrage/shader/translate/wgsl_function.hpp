@@ -37,7 +37,7 @@ public:
                 continue;
             }
             all.push_back(read_head());
-            at = glsl::detail::closing(all_, at) + 1;
+            at = glsl::detail::closing(all_, at, "wgsl") + 1;
         }
         for (const head& h : all) {
             bool alone = true;
@@ -132,12 +132,12 @@ private:
     /// Whether the function's body writes to what has that name.
     [[nodiscard]] bool is_assigned(std::string_view name) const {
         static constexpr literal signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
-        const std::size_t end = glsl::detail::closing(all_, body_);
+        const std::size_t end = glsl::detail::closing(all_, body_, "wgsl");
         for (std::size_t i = body_ + 1; i < end; ++i) {
             if (!(all_[i] == name) || glsl::detail::is_type(all_[i - 1].text)) continue;
             std::size_t behind = i + 1;
             while (all_[behind] == "." || all_[behind] == "[")
-                behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind) + 1;
+                behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind, "wgsl") + 1;
             if (all_[i - 1] == "++" || all_[i - 1] == "--") return true;
             for (std::string_view sign : signs)
                 if (all_[behind] == sign) return true;

@@ -33,7 +33,7 @@ template <class = umbrage::detail::on_use>
 class word_by_word {
 public:
     word_by_word(const near_language& language, std::string_view text)
-        : language_(language), all_(newest(tokens(text))) {}
+        : language_(language), all_(newest(tokens(text, language.name))) {}
 
     [[nodiscard]] std::string print() {
         std::string out = print(0, all_.size() - 1);
@@ -113,7 +113,7 @@ private:
 
     std::size_t print_constructor(std::string& out, std::size_t i, std::string_view own) {
         const std::string_view type = all_[i].text;
-        const std::size_t end = closing(all_, i + 1);
+        const std::size_t end = closing(all_, i + 1, language_.name);
         const std::string arguments = print(i + 2, end);
         const std::size_t count = arguments_in(i + 1, end);
         if (is_matrix(type) && count == 1) unknown(language_.name, std::string(type) + " of one");
@@ -130,7 +130,7 @@ private:
     [[nodiscard]] std::size_t arguments_in(std::size_t open, std::size_t end) const {
         std::size_t count = 1;
         for (std::size_t i = open + 1; i < end; ++i) {
-            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i);
+            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i, language_.name);
             if (all_[i] == ",") ++count;
         }
         return count;
@@ -139,7 +139,7 @@ private:
     /// A name, a number, a call or a component of those: nothing that a cast would have to be kept from.
     [[nodiscard]] bool is_operand(std::size_t from, std::size_t to) const {
         for (std::size_t i = from; i < to; ++i) {
-            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i);
+            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i, language_.name);
             else if (all_[i].kind == piece::sign && !(all_[i] == ".")) return false;
         }
         return true;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/literal.hpp>
 
@@ -97,7 +98,7 @@ inline constexpr word vocabulary[]{
 
 /// @throws std::invalid_argument, naming the word
 [[noreturn]] inline void unknown(std::string_view language, std::string_view word) {
-    umbrage::detail::fail("umbrage::" + std::string(language) + "::text: no word for " + std::string(word));
+    umbrage::detail::refuse(std::string(language) + "::text", "source", "of words that the language has", word);
 }
 
 }  // namespace umbrage::glsl::detail

@@ -57,9 +57,7 @@ TEST_CASE("make_page_root, page_light: bad input") {
     CHECK(with([&](auto& r) { r.center = {0, inf, 0}; }).starts_with("umbrage::make_page_root: center "));
     CHECK(with([](auto& r) { r.side = 0; }).starts_with("umbrage::make_page_root: side "));
     CHECK(with([&](auto& r) { r.side = inf; }).starts_with("umbrage::make_page_root: side "));
-    CHECK(with([&](auto& r) {
-              r.scene = {{0, 0, 0}, {0, inf, 0}};
-          }).starts_with("umbrage::bounding_box: low and high "));
+    CHECK(with([&](auto& r) { r.scene = {{0, 0, 0}, {0, inf, 0}}; }).starts_with("umbrage::make_page_root: scene."));
     const auto light = [](const umbrage::page& p, const umbrage::page_size& size = {}) {
         return complaint([&] {
             (void)umbrage::page_light(umbrage::make_page_root<float>(

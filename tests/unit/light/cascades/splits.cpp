@@ -39,13 +39,13 @@ TEST_CASE("practical_splits: what cannot be cut is named") {
         return complaint([=] { (void)practical_splits<4>(n, f, lambda); });
     };
     for (const float n : {0.0f, -1.0f, nan, infinity})
-        CHECK(of(n, 10.0f, 0.5f) == "umbrage::practical_splits: z_near must be finite and above 0");
+        CHECK(of(n, 10.0f, 0.5f).starts_with("umbrage::practical_splits: z_near must be finite and above 0; got "));
     for (const float f : {1.0f, 0.5f, nan, infinity})
-        CHECK(of(1.0f, f, 0.5f) == "umbrage::practical_splits: z_far must be finite and above z_near");
+        CHECK(of(1.0f, f, 0.5f).starts_with("umbrage::practical_splits: z_far must be finite and above z_near; got "));
     for (const float lambda : {-0.1f, 1.1f, nan})
-        CHECK(of(1.0f, 2.0f, lambda) == "umbrage::practical_splits: lambda must lie between 0 and 1");
+        CHECK(of(1.0f, 2.0f, lambda).starts_with("umbrage::practical_splits: lambda must be from 0 to 1; got "));
     CHECK(of(1.0f, std::nextafter(1.0f, 2.0f), 0.5f) ==
-          "umbrage::practical_splits: z_near and z_far must be farther apart");
+          "umbrage::practical_splits: z_near and z_far must be farther apart; got (1, 1)");
     CHECK(of(1.0f, 1.001f, 1.0f).empty());
 }
 

@@ -76,7 +76,7 @@ TEST_CASE_TEMPLATE("set-ups: directions of zero are named, an up along the direc
     auto directed = set_ups;
     for (const std::string& name : around_points) std::erase(directed, name);
     refused<T>(directed, {"direction"}, [](auto& a) { a.direction = vec(0); });
-    refused<T>(of_camera, {"direction"}, [](auto& a) { a.ahead = vec(0); });
+    refused<T>(of_camera, {"camera.direction", "frustum.direction"}, [](auto& a) { a.ahead = vec(0); });
     for (const vec up : {vec(T(0.3), T(-1), T(0.2)), vec(T(-3), T(10), T(-2)), vec(0)})
         taken<T>(
             set_ups, [&](auto& a) { a.up = up; }, anything);
@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("set-ups: bounds that are empty are named, flat ones will do,
                    float, double) {
     std::vector<std::string> bounded = of_camera;
     bounded.emplace_back("fit_spot_light");
-    refused<T>(bounded, {"low"}, [](auto& a) { a.scene.low.y = a.scene.high.y + T(1); });
+    refused<T>(bounded, {"box.low", "scene.low"}, [](auto& a) { a.scene.low.y = a.scene.high.y + T(1); });
     taken<T>(
         bounded, [](auto& a) { a.scene.high.y = a.scene.low.y; }, anything);
     for (const std::string& name : bounded) {
@@ -111,13 +111,13 @@ TEST_CASE_TEMPLATE("set-ups: planes out of order and opening angles from 180 deg
         {"fit_spot_light"}, [](auto& a) { a.z_near = T(60); },
         [](const std::string&, const auto& lights, const auto&) { CHECK(lights.empty()); });
     for (const T z_far : {T(60), T(30), T(-1)})
-        refused<T>(planed, {"z_far", "z_near and z_far", "splits", "receivers"},
+        refused<T>(planed, {"z_far", "frustum.z_far", "z_near and z_far", "splits", "receivers"},
                    [&](auto& a) { a.z_near = T(60), a.z_far = z_far; });
     const T infinity = std::numeric_limits<T>::infinity(), pi = std::numbers::pi_v<T>;
     for (const T angle : {pi / 2, T(2), pi, infinity})
         refused<T>(of_spots, {"outer_angle_radians"}, [&](auto& a) { a.angle = angle; });
     for (const T tangent : {std::tan(T(2)), T(0), infinity})
-        refused<T>(of_camera, {"tan_half_x"}, [&](auto& a) { a.tangent = tangent; });
+        refused<T>(of_camera, {"camera.tan_half_x", "frustum.tan_half_x"}, [&](auto& a) { a.tangent = tangent; });
 }
 
 TEST_CASE_TEMPLATE("set-ups: a light inside the scene holds what of it is in its cone", T, float, double) {

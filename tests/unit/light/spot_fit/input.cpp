@@ -95,7 +95,7 @@ TEST_CASE_TEMPLATE("fit_spot_light: bad input", T, float, double) {
         CHECK(with([&](auto& f) { f.receivers = bounding_box<T>{vec(nan), vec(0)}; }).find("finite") != name.npos);
         CHECK(with([](auto& f) {
                   f.receivers = bounding_box<T>{vec(0), vec(-1)};
-              }).starts_with("umbrage::bounding_box: low "));
+              }).starts_with("umbrage::hull: box.low "));
         CHECK(lights([](auto&) {}));
         CHECK(!lights([](auto& f) { f.z_near = 7; }));  // behind all
         CHECK(!lights([](auto& f) { f.direction = vec(0, 1, 0); }));

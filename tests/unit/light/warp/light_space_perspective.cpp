@@ -166,8 +166,8 @@ TEST_CASE_TEMPLATE("fit_light_space_perspective: bad input, and cameras inside a
     CHECK(with([](auto& f) { f.receivers->points.clear(); }) == "");  // the camera sees nothing of the scene
     for (const T bad : {T(-1), T(1e19), nan})
         CHECK(with([=](auto& f) { f.margin = bad; }).starts_with(name + "margin must be from 0 to 1000; got "));
-    CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));
-    CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with("umbrage::bounding_box: "));
+    CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with(name + "camera.tan_half_x "));
+    CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with(name + "casters.low "));
     CHECK(with([&](auto& f) {
               f.receivers = bounding_box<T>{glm::vec<3, T>(1), glm::vec<3, T>(1)};
           }).starts_with(name + "receivers, casters and margin "));

@@ -215,13 +215,13 @@ TEST_CASE_TEMPLATE("fit_perspective: bad input, and cameras inside and along", T
     CHECK(with([](auto& f) { f.receivers->points.clear(); }) == "");  // the camera sees nothing of the scene
     for (const T bad : {T(-1), T(1e19), nan})
         CHECK(with([=](auto& f) { f.margin = bad; }).starts_with(name + "margin must be from 0 to 1000; got "));
-    CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));
-    CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with("umbrage::bounding_box: "));
+    CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with(name + "camera.tan_half_x "));
+    CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with(name + "casters.low "));
     CHECK(with([](auto& f) {
               f.receivers = bounding_box<T>{glm::vec<3, T>(1), glm::vec<3, T>(1)};
           }).find("receivers, casters and margin ") != std::string::npos);
     const std::string distant = with([](auto& f) { f.camera.position.z = T(0.8) * std::numeric_limits<T>::max(); });
-    CHECK((distant.empty() || distant == name + "receivers must lie nearer to the camera"));
+    CHECK((distant.empty() || distant.starts_with(name + "receivers must be near enough to the camera ")));
     CHECK(with([](auto& f) { f.camera.direction = f.direction; }) == "");
     CHECK(with([](auto& f) { f.camera.direction = -f.direction; }) == "");
     CHECK(with([](auto& f) { f.camera.position = {5, 5, 5}; }) == "");

@@ -151,6 +151,6 @@ TEST_CASE_TEMPLATE("fit_plane_optimal: bad input", T, float, double) {
     CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
     for (const T bad : {T(-1), T(1e19), nan})
         CHECK(with([=](auto& f) { f.margin = bad; }).starts_with(name + "margin must be from 0 to 1000; got "));
-    CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));
-    CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with("umbrage::bounding_box: "));
+    CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with(name + "camera.tan_half_x "));
+    CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with(name + "casters.low "));
 }

@@ -84,5 +84,5 @@ TEST_CASE("fit_trapezoidal: no warp for a focus far off, or light along the view
     for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()})
         CHECK(complaint([&] {
                   (void)fit_trapezoidal(fit, bad);
-              }).starts_with("umbrage::fit_trapezoidal: focus must be finite"));
+              }).starts_with("umbrage::fit_trapezoidal: focus must be finite, 0 or more; got "));
 }

@@ -35,22 +35,22 @@ TEST_CASE("make_stable_cascades, make_tight_cascades: what is wrong is named") {
     for (const std::array<float, 3> splits :
          {std::array{-1.0f, 1.0f, 2.0f}, std::array{1.0f, 1.0f, 2.0f}, std::array{1.0f, 3.0f, 2.0f},
           std::array{nan, 1.0f, 2.0f}, std::array{1.0f, nan, 2.0f}, std::array{1.0f, 2.0f, infinity}})
-        CHECK(of(nothing, splits) == "splits");
+        CHECK(of(nothing, splits).starts_with("splits"));
     for (const float bad : {0.0f, -1.0f, nan, infinity}) {
-        CHECK(of([=](fit& f) { f.camera.tan_half_x = bad; }) == "tan_half_x");
-        CHECK(of([=](fit& f) { f.camera.tan_half_y = bad; }) == "tan_half_y");
+        CHECK(of([=](fit& f) { f.camera.tan_half_x = bad; }) == "camera.tan_half_x");
+        CHECK(of([=](fit& f) { f.camera.tan_half_y = bad; }) == "camera.tan_half_y");
     }
-    CHECK(of([&](fit& f) { f.camera.position.x = nan; }) == "position");
-    CHECK(of([&](fit& f) { f.camera.direction = glm::vec3(0); }) == "direction");
+    CHECK(of([&](fit& f) { f.camera.position.x = nan; }) == "camera.position");
+    CHECK(of([&](fit& f) { f.camera.direction = glm::vec3(0); }) == "camera.direction");
     CHECK(of([](fit& f) { f.direction = glm::vec3(0); }) == "direction");
     const fit nowhere{.direction = {0, 0, 0}, .scene = bounding_box<float>{}, .clip = cpu_clip_space};
     CHECK(complaint([&] {
               (void)make_stable_cascades<1>(nowhere, std::array{1.0f, 2.0f});
-          }) == "umbrage::make_stable_cascades: direction must not be zero");
+          }) == "umbrage::make_stable_cascades: direction must be of a length above 0; got (0, 0, 0)");
     CHECK(of([&](fit& f) { f.direction.y = nan; }) == "direction");
     CHECK(of([&](fit& f) { f.up.y = infinity; }) == "up");
-    CHECK(of([](fit& f) { f.scene.low.x = 2.0f; }) == "low");
-    CHECK(of([&](fit& f) { f.scene.high.x = infinity; }) == "low and high");
+    CHECK(of([](fit& f) { f.scene.low.x = 2.0f; }) == "scene.low");
+    CHECK(of([&](fit& f) { f.scene.high.x = infinity; }) == "scene.high");
     CHECK(of([](fit& f) { f.map_size = 0; }) == "map_size");
     CHECK(of([](fit& f) { f.map_size = 5; }) == "map_size");
     for (const float bad : {-1.0f, nan, infinity}) CHECK(of([=](fit& f) { f.margin = bad; }) == "margin");
@@ -128,6 +128,7 @@ TEST_CASE("make_cascade_uniforms: the next cascade fades in over the last share 
     const auto sharp = make_cascade_uniforms(all, 0.0);
     CHECK(cascade_fade(1000.0, sharp.scales[0].w, sharp.offsets[0].w) == 0.0);
     for (const double fade : {-0.1, 1.1, std::nan("")})
-        CHECK(complaint([&] { (void)make_cascade_uniforms(all, fade); }) ==
-              "umbrage::make_cascade_uniforms: fade must lie between 0 and 1");
+        CHECK(complaint([&] {
+                  (void)make_cascade_uniforms(all, fade);
+              }).starts_with("umbrage::make_cascade_uniforms: fade must be from 0 to 1; got "));
 }
