@@ -64,12 +64,13 @@ function is_expression(text) {
 }
 
 const defaults = {
-    texture: 'texture_2d', direction: 'forward', outside_lit: false, gather: false, depth: '', channels: 1, origin: '',
+    texture: 'texture_2d', direction: 'forward', outside: '', gather: false, depth: '', channels: 1, origin: '',
     texture_size: '', parameters: '', arguments: '', texel: '', needs: [],
 };
 const choices = {
     texture: ['texture_2d', 'atlas', 'array', 'cube', 'cube_faces', 'integer', 'depth', 'depth_array', 'shadow', 'shadow_array'],
     direction: ['forward', 'reversed'],
+    outside: ['bordered', 'clamped'],
 };
 
 const of_encodings = ['write', 'writes', 'format', 'to_unorm', 'cleared', 'reversed'];  // what they have beside a map's properties
@@ -98,7 +99,9 @@ function as_bound(item) {
 }
 
 const has_region = map => map.texture === 'atlas' || map.origin !== '';
-const is_whole = map => !has_region(map) && !map.outside_lit;
+// By default whole maps and layers are bordered; tiles, regions and faces of cubes clamp.
+const is_bordered = map =>
+    map.outside === '' ? !has_region(map) && !['cube', 'cube_faces'].includes(map.texture) : map.outside === 'bordered';
 const gathers = map => !['cube', 'cube_faces', 'integer'].includes(map.texture);
 const compares = map => map.texture === 'shadow' || map.texture === 'shadow_array';
 
@@ -108,25 +111,31 @@ function chosen(s, map) {
     switch (s.role) {
         case 'cleared_depth':
         case 'compare': return hooks[`${s.role}, ${map.direction}`];
+        case 'border_depth': return scaled ? hooks['border_depth, scaled'] : s;
+        case 'map_covers': return hooks[`map_covers, ${is_bordered(map) ? 'bordered' : 'clamped'}`];
         case 'beyond_far_plane': return hooks[`beyond_far_plane, ${scaled ? 'scaled' : map.direction}`];
         case 'within_far_plane': return scaled ? s : hooks[`within_far_plane, ${map.direction}`];
         case 'texel':
         case 'fetch_depth':
             if (s.role === 'texel') return hooks.texel;
-            return hooks[map.outside_lit ? 'fetch_depth, bordered' : 'fetch_depth, clamped'];
-        case 'lit': return compares(map) ? hooks[map.outside_lit ? 'lit, bordered' : 'lit, clamped'] : s;
+            return hooks[is_bordered(map) ? 'fetch_depth, bordered' : 'fetch_depth, clamped'];
+        case 'lit': return compares(map) ? hooks[is_bordered(map) ? 'lit, bordered' : 'lit, clamped'] : s;
         case 'lit_2x2':
             if (!map.gather) return s;
-            if (map.outside_lit) return hooks['lit_2x2, gathered and bordered'];
+            if (is_bordered(map))
+                return hooks[`lit_2x2, gathered ${has_region(map) ? 'in a bordered region' : 'and bordered'}`];
             return hooks[has_region(map) ? 'lit_2x2, gathered in a region' : 'lit_2x2, gathered'];
         case 'gather_lit':
             if (compares(map)) return hooks['gather_lit, compared'];
             return hooks[map.channels === 2 ? 'gather_lit, two channels' : 'gather_lit, one channel'];
         case 'lit_filtered':
-            return compares(map) ? hooks[`${s.role}, ${map.outside_lit ? 'bordered' : 'clamped'}`] : s;
-        case 'lit_at': return compares(map) && is_whole(map) ? hooks['lit_at, sampled'] : s;
+            return compares(map) ? hooks[`${s.role}, ${is_bordered(map) ? 'bordered' : 'clamped'}`] : s;
+        case 'lit_at':
+            if (!compares(map) || has_region(map)) return s;
+            return hooks[is_bordered(map) ? 'lit_at, sampled and bordered' : 'lit_at, sampled'];
         case 'depth_at':
-            return map.gather && gathers(map) && !compares(map) && is_whole(map) ? hooks['depth_at, sampled'] : s;
+            if (!map.gather || !gathers(map) || compares(map) || has_region(map)) return s;
+            return hooks[is_bordered(map) ? 'depth_at, sampled and bordered' : 'depth_at, sampled'];
         default: return s;
     }
 }
@@ -1560,15 +1569,16 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
+    UMBRAGE_HIGHP vec2 at = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, at);
+    return at.x == texel.x && at.y == texel.y ? value : border;
 }
 `,
             "fetch_depth": `
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
-// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+// UMBRAGE_CLAMPED: define it and outside the map the nearest texel inside counts, where it is else the far plane
 #ifndef UMBRAGE_FETCH
-#ifndef UMBRAGE_OUTSIDE_LIT
+#ifdef UMBRAGE_CLAMPED
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
 #else
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
@@ -1637,6 +1647,17 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
     UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
     return vec4(a, b, c, d);
+}
+`,
+            "map_covers": `
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// UMBRAGE_CLAMPED: define it and all receivers do
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+#ifdef UMBRAGE_CLAMPED
+    return true;
+#else
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+#endif
 }
 `,
             "within_far_plane": `
@@ -2911,8 +2932,8 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
 UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP float codes) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = size - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
@@ -3027,8 +3048,8 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
 UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                            UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
@@ -3300,7 +3321,7 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 //   receiver   depth, biased;   min_variance  0.0 or more
 UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -3312,7 +3333,7 @@ UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 //   receiver   depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -3325,7 +3346,7 @@ UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
                                   UMBRAGE_HIGHP float deviation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -3338,7 +3359,7 @@ UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
                                   UMBRAGE_HIGHP vec2 deviations) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -3350,7 +3371,7 @@ UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -3362,7 +3383,7 @@ UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
@@ -3374,7 +3395,7 @@ UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -3706,6 +3727,30 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
     return 0.0;
 }
 `,
+            "hooks/border_depth, a depth": `
+// umbrage_border_depth: what texels outside the map count as, the far plane
+UMBRAGE_HIGHP float umbrage_border_depth() {
+    return umbrage_cleared_depth();
+}
+`,
+            "hooks/border_depth, scaled": `
+// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
+UMBRAGE_HIGHP float umbrage_border_depth() {
+    return 65536.0;
+}
+`,
+            "hooks/map_covers, bordered": `
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+`,
+            "hooks/map_covers, clamped": `
+// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    return true;
+}
+`,
             "hooks/beyond_far_plane, forward": `
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -3770,8 +3815,9 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
             "hooks/fetch_depth, bordered": `
 // umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_texel(map, size, inside));
+    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
 }
 `,
             "hooks/lit_texel": `
@@ -3794,8 +3840,10 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 // umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
-    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 `,
             "hooks/gather_lit, compared": `
@@ -3860,6 +3908,20 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 `,
             "hooks/lit_2x2, gathered and bordered": `
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane, whatever the sampler has there
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? lit.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? lit.w : outside;
+    return vec4(a, b, c, d);
+}
+`,
+            "hooks/lit_2x2, gathered in a bordered region": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
 //   the far plane: the gather stays inside
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
@@ -3870,7 +3932,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
     UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
     UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
     UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
     UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
     UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
@@ -3901,7 +3963,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
@@ -3913,11 +3975,30 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return UMBRAGE_LIT_FILTERED;
 }
 `,
+            "hooks/lit_at, sampled and bordered": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+`,
             "hooks/depth_at, sampled": `
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
     return umbrage_decode(UMBRAGE_SAMPLED);
+}
+`,
+            "hooks/depth_at, sampled and bordered": `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
 }
 `,
         },
@@ -5018,8 +5099,9 @@ precise bool umbrage_inside_map(float2 size, float2 texel) {
             "fetch_bordered": `
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel, float4 border) {
-    float4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
+    float2 at = clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float4 value = umbrage_texel(map, size, at);
+    return at.x == texel.x && at.y == texel.y ? value : border;
 }
 `,
             "depth_at": `
@@ -6255,8 +6337,8 @@ float4 umbrage_box_moments(UMBRAGE_MAP map, float2 size, float2 first, float2 en
 //   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float codes) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = size - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float2 texel = compared ? clamp(floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = max(texel - radius, float2(0.0, 0.0));
     float2 end = min(texel + radius + 1.0, last);
@@ -6368,8 +6450,8 @@ float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
 //   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 float umbrage_summed_moments(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = float2(size.x * 0.5, size.y) - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float2 texel = compared ? clamp(floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = max(texel - radius, float2(0.0, 0.0));
     float2 end = min(texel + radius + 1.0, last);
@@ -6617,7 +6699,7 @@ float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float min_variance) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_vsm(float2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -6628,7 +6710,7 @@ float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, fl
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -6639,7 +6721,7 @@ float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, fl
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent, float deviation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_evsm2(float2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -6650,7 +6732,7 @@ float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, 
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 exponents, float2 deviations) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -6661,7 +6743,7 @@ float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, 
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 float umbrage_msm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -6672,7 +6754,7 @@ float umbrage_msm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, fl
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 float umbrage_msm_unorm16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
@@ -6683,7 +6765,7 @@ float umbrage_msm_unorm16(UMBRAGE_MAP map, float2 size, float2 coord, float rece
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 float umbrage_msm_hausdorff(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -6988,6 +7070,30 @@ float umbrage_cleared_depth() {
     return 0.0;
 }
 `,
+            "hooks/border_depth, a depth": `
+// umbrage_border_depth: what texels outside the map count as, the far plane
+float umbrage_border_depth() {
+    return umbrage_cleared_depth();
+}
+`,
+            "hooks/border_depth, scaled": `
+// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
+float umbrage_border_depth() {
+    return 65536.0;
+}
+`,
+            "hooks/map_covers, bordered": `
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+precise bool umbrage_map_covers(float2 size, float2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+`,
+            "hooks/map_covers, clamped": `
+// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+precise bool umbrage_map_covers(float2 size, float2 coord) {
+    return true;
+}
+`,
             "hooks/beyond_far_plane, forward": `
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 precise bool umbrage_beyond_far_plane(float receiver) {
@@ -7052,8 +7158,9 @@ float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
             "hooks/fetch_depth, bordered": `
 // umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
-    float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+    float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float depth = umbrage_decode(umbrage_texel(map, size, inside));
+    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
 }
 `,
             "hooks/lit_texel": `
@@ -7073,8 +7180,10 @@ float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
             "hooks/lit, bordered": `
 // umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
 float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
-    float lit = umbrage_lit_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0), receiver);
-    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+    float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float lit = umbrage_lit_texel(map, size, inside, receiver);
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 `,
             "hooks/gather_lit, compared": `
@@ -7134,6 +7243,19 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
 `,
             "hooks/lit_2x2, gathered and bordered": `
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane, whatever the sampler has there
+float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float4 lit = umbrage_gather_lit(map, size, texel, receiver);
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float a = umbrage_inside_map(size, texel) ? lit.x : outside;
+    float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? lit.y : outside;
+    float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? lit.z : outside;
+    float d = umbrage_inside_map(size, texel + float2(1.0, 1.0)) ? lit.w : outside;
+    return float4(a, b, c, d);
+}
+`,
+            "hooks/lit_2x2, gathered in a bordered region": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
 //   the far plane: the gather stays inside
 float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 first = clamp(texel, float2(0.0, 0.0), max(size - 2.0, float2(0.0, 0.0)));
@@ -7143,7 +7265,7 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
     float2 right = low.x < -0.5 ? float2(lit.x, lit.z) : float2(lit.y, lit.w);
     float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
     float2 top = low.y < -0.5 ? float2(left.x, right.x) : float2(left.y, right.y);
-    float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
     float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
     float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? bottom.y : outside;
     float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? top.x : outside;
@@ -7172,7 +7294,7 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = clamp(min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
-    float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
@@ -7183,11 +7305,29 @@ float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
     return UMBRAGE_LIT_FILTERED;
 }
 `,
+            "hooks/lit_at, sampled and bordered": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
+    float lit = UMBRAGE_LIT_FILTERED;
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+`,
             "hooks/depth_at, sampled": `
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     return umbrage_decode(UMBRAGE_SAMPLED);
+}
+`,
+            "hooks/depth_at, sampled and bordered": `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
+    float depth = umbrage_decode(UMBRAGE_SAMPLED);
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
 }
 `,
         },
@@ -8288,8 +8428,9 @@ inline bool umbrage_inside_map(float2 size, float2 texel) {
             "fetch_bordered": `
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 inline float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel, float4 border) {
-    float4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
+    float2 at = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float4 value = umbrage_texel(map, size, at);
+    return at.x == texel.x && at.y == texel.y ? value : border;
 }
 `,
             "depth_at": `
@@ -9536,8 +9677,8 @@ inline float4 umbrage_box_moments(UMBRAGE_MAP map, float2 size, float2 first, fl
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 inline float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
                                      float codes) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = size - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float2 texel = compared ? metal::clamp(metal::floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = metal::max(texel - radius, float2(0.0, 0.0));
     float2 end = metal::min(texel + radius + 1.0, last);
@@ -9650,8 +9791,8 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 inline float umbrage_summed_moments(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
                                     float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = float2(size.x * 0.5, size.y) - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float2 texel = compared ? metal::clamp(metal::floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = metal::max(texel - radius, float2(0.0, 0.0));
     float2 end = metal::min(texel + radius + 1.0, last);
@@ -9899,7 +10040,7 @@ inline float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord)
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 inline float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float min_variance) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_vsm(float2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -9910,7 +10051,7 @@ inline float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float recei
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 inline float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -9922,7 +10063,7 @@ inline float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float recei
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 inline float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent,
                            float deviation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_evsm2(float2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -9934,7 +10075,7 @@ inline float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 inline float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 exponents,
                            float2 deviations) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -9945,7 +10086,7 @@ inline float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 inline float umbrage_msm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -9956,7 +10097,7 @@ inline float umbrage_msm(UMBRAGE_MAP map, float2 size, float2 coord, float recei
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 inline float umbrage_msm_unorm16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
@@ -9967,7 +10108,7 @@ inline float umbrage_msm_unorm16(UMBRAGE_MAP map, float2 size, float2 coord, flo
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 inline float umbrage_msm_hausdorff(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -10274,6 +10415,30 @@ inline float umbrage_cleared_depth() {
     return 0.0;
 }
 `,
+            "hooks/border_depth, a depth": `
+// umbrage_border_depth: what texels outside the map count as, the far plane
+inline float umbrage_border_depth() {
+    return umbrage_cleared_depth();
+}
+`,
+            "hooks/border_depth, scaled": `
+// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
+inline float umbrage_border_depth() {
+    return 65536.0;
+}
+`,
+            "hooks/map_covers, bordered": `
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+inline bool umbrage_map_covers(float2 size, float2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+`,
+            "hooks/map_covers, clamped": `
+// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+inline bool umbrage_map_covers(float2 size, float2 coord) {
+    return true;
+}
+`,
             "hooks/beyond_far_plane, forward": `
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
@@ -10338,8 +10503,9 @@ inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
             "hooks/fetch_depth, bordered": `
 // umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
-    float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float depth = umbrage_decode(umbrage_texel(map, size, inside));
+    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
 }
 `,
             "hooks/lit_texel": `
@@ -10359,8 +10525,10 @@ inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float recei
             "hooks/lit, bordered": `
 // umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
 inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
-    float lit = umbrage_lit_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0), receiver);
-    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float lit = umbrage_lit_texel(map, size, inside, receiver);
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 `,
             "hooks/gather_lit, compared": `
@@ -10420,6 +10588,19 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
 `,
             "hooks/lit_2x2, gathered and bordered": `
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane, whatever the sampler has there
+inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float4 lit = umbrage_gather_lit(map, size, texel, receiver);
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float a = umbrage_inside_map(size, texel) ? lit.x : outside;
+    float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? lit.y : outside;
+    float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? lit.z : outside;
+    float d = umbrage_inside_map(size, texel + float2(1.0, 1.0)) ? lit.w : outside;
+    return float4(a, b, c, d);
+}
+`,
+            "hooks/lit_2x2, gathered in a bordered region": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
 //   the far plane: the gather stays inside
 inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 first = metal::clamp(texel, float2(0.0, 0.0), metal::max(size - 2.0, float2(0.0, 0.0)));
@@ -10429,7 +10610,7 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
     float2 right = low.x < -0.5 ? float2(lit.x, lit.z) : float2(lit.y, lit.w);
     float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
     float2 top = low.y < -0.5 ? float2(left.x, right.x) : float2(left.y, right.y);
-    float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
     float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
     float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? bottom.y : outside;
     float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? top.x : outside;
@@ -10458,7 +10639,7 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
     float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = metal::clamp(metal::min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
-    float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
@@ -10469,11 +10650,29 @@ inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float recei
     return UMBRAGE_LIT_FILTERED;
 }
 `,
+            "hooks/lit_at, sampled and bordered": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
+    float lit = UMBRAGE_LIT_FILTERED;
+    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float2 inside = metal::clamp((0.5 - metal::abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+`,
             "hooks/depth_at, sampled": `
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     return umbrage_decode(UMBRAGE_SAMPLED);
+}
+`,
+            "hooks/depth_at, sampled and bordered": `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
+    float depth = umbrage_decode(UMBRAGE_SAMPLED);
+    return metal::abs(uv.x - 0.5) <= 0.5 && metal::abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
 }
 `,
         },
@@ -11573,8 +11772,9 @@ fn umbrage_inside_map(size: vec2f, texel: vec2f) -> bool {
             "fetch_bordered": `
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 fn umbrage_fetch_bordered(UMBRAGE_MAP map, size: vec2f, texel: vec2f, border: vec4f) -> vec4f {
-    let value: vec4f = umbrage_fetch_clamped(map, size, texel);
-    return select(border, value, umbrage_inside_map(size, texel));
+    let at: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let value: vec4f = umbrage_texel(map, size, at);
+    return select(border, value, at.x == texel.x && at.y == texel.y);
 }
 `,
             "depth_at": `
@@ -12812,8 +13012,8 @@ fn umbrage_box_moments(UMBRAGE_MAP map, size: vec2f, first: vec2f, end: vec2f) -
 //   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 fn umbrage_summed_variance(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, codes: f32) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let last: vec2f = size - 1.0;
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(last, coord));
     let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
     let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
     let end: vec2f = min(texel + radius + 1.0, last);
@@ -12925,8 +13125,8 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 //   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 fn umbrage_summed_moments(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let last: vec2f = vec2f(size.x * 0.5, size.y) - 1.0;
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(last, coord));
     let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
     let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
     let end: vec2f = min(texel + radius + 1.0, last);
@@ -13174,7 +13374,7 @@ fn umbrage_fetch_bilinear(UMBRAGE_MAP map, size: vec2f, coord: vec2f) -> vec4f {
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 fn umbrage_vsm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, min_variance: f32) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_vsm(vec2f(m.x, m.y), receiver, min_variance);
     return select(1.0, lit, compared);
@@ -13185,7 +13385,7 @@ fn umbrage_vsm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, min_va
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 fn umbrage_esm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, exponent: f32) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_esm(m.x, receiver, exponent);
     return select(1.0, lit, compared);
@@ -13196,7 +13396,7 @@ fn umbrage_esm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, expone
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
 fn umbrage_evsm2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_evsm2(vec2f(m.x, m.y), receiver, exponent, deviation);
     return select(1.0, lit, compared);
@@ -13208,7 +13408,7 @@ fn umbrage_evsm2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, expo
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 fn umbrage_evsm4(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, exponents: vec2f,
                  deviations: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return select(1.0, lit, compared);
@@ -13219,7 +13419,7 @@ fn umbrage_evsm4(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, expo
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 fn umbrage_msm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_msm(m, receiver, bias);
     return select(1.0, lit, compared);
@@ -13230,7 +13430,7 @@ fn umbrage_msm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: 
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 fn umbrage_msm_unorm16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return select(1.0, lit, compared);
@@ -13241,7 +13441,7 @@ fn umbrage_msm_unorm16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 fn umbrage_msm_hausdorff(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return select(1.0, lit, compared);
@@ -13546,6 +13746,30 @@ fn umbrage_cleared_depth() -> f32 {
     return 0.0;
 }
 `,
+            "hooks/border_depth, a depth": `
+// umbrage_border_depth: what texels outside the map count as, the far plane
+fn umbrage_border_depth() -> f32 {
+    return umbrage_cleared_depth();
+}
+`,
+            "hooks/border_depth, scaled": `
+// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
+fn umbrage_border_depth() -> f32 {
+    return 65536.0;
+}
+`,
+            "hooks/map_covers, bordered": `
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+`,
+            "hooks/map_covers, clamped": `
+// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
+    return true;
+}
+`,
             "hooks/beyond_far_plane, forward": `
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 fn umbrage_beyond_far_plane(receiver: f32) -> bool {
@@ -13610,8 +13834,9 @@ fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
             "hooks/fetch_depth, bordered": `
 // umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
-    let depth: f32 = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-    return select(umbrage_cleared_depth(), depth, umbrage_inside_map(size, texel));
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let depth: f32 = umbrage_decode(umbrage_texel(map, size, inside));
+    return select(umbrage_border_depth(), depth, inside.x == texel.x && inside.y == texel.y);
 }
 `,
             "hooks/lit_texel": `
@@ -13631,8 +13856,10 @@ fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32
             "hooks/lit, bordered": `
 // umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
 fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
-    let lit: f32 = umbrage_lit_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
-    return select(umbrage_compare(receiver, umbrage_cleared_depth()), lit, umbrage_inside_map(size, texel));
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let lit: f32 = umbrage_lit_texel(map, size, inside, receiver);
+    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
+    return select(outside, lit, inside.x == texel.x && inside.y == texel.y);
 }
 `,
             "hooks/gather_lit, compared": `
@@ -13692,6 +13919,19 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
 `,
             "hooks/lit_2x2, gathered and bordered": `
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane, whatever the sampler has there
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let lit: vec4f = umbrage_gather_lit(map, size, texel, receiver);
+    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
+    let a: f32 = select(outside, lit.x, umbrage_inside_map(size, texel));
+    let b: f32 = select(outside, lit.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
+    let c: f32 = select(outside, lit.z, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
+    let d: f32 = select(outside, lit.w, umbrage_inside_map(size, texel + vec2f(1.0, 1.0)));
+    return vec4f(a, b, c, d);
+}
+`,
+            "hooks/lit_2x2, gathered in a bordered region": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
 //   the far plane: the gather stays inside
 fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
@@ -13701,7 +13941,7 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
     let right: vec2f = select(vec2f(lit.y, lit.w), vec2f(lit.x, lit.z), low.x < -0.5);
     let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
     let top: vec2f = select(vec2f(left.y, right.y), vec2f(left.x, right.x), low.y < -0.5);
-    let outside: f32 = umbrage_compare(receiver, umbrage_cleared_depth());
+    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
     let a: f32 = select(outside, bottom.x, umbrage_inside_map(size, texel));
     let b: f32 = select(outside, bottom.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
     let c: f32 = select(outside, top.x, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
@@ -13730,7 +13970,7 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
     let uv: vec2f = UMBRAGE_UV;
     let lit: f32 = UMBRAGE_LIT_FILTERED;
     let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
-    let outside: f32 = umbrage_compare(receiver, umbrage_cleared_depth());
+    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
     return select(0.0, outside + inside.x * inside.y * (lit - outside), umbrage_within_far_plane(receiver));
 }
 `,
@@ -13741,11 +13981,29 @@ fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32
     return UMBRAGE_LIT_FILTERED;
 }
 `,
+            "hooks/lit_at, sampled and bordered": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    let lit: f32 = UMBRAGE_LIT_FILTERED;
+    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
+    let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+`,
             "hooks/depth_at, sampled": `
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
     return umbrage_decode(UMBRAGE_SAMPLED);
+}
+`,
+            "hooks/depth_at, sampled and bordered": `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
+    let depth: f32 = umbrage_decode(UMBRAGE_SAMPLED);
+    return select(umbrage_border_depth(), depth, abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5);
 }
 `,
         },
@@ -13876,7 +14134,7 @@ const rows = [
     ["decode_ps14", "decode_ps14", "r / 8 + g as the Radeon 8500 computed it", "b", 4, 0, false, "100", "none", true, []],
     ["receiver_ps14", "receiver_ps14", "receiver on the scale of decode_ps14", "b", 1, 0, false, "100", "none", false, []],
     ["inside_map", "inside_map", "whether a texel is one of the map's", "a", 0, 0, false, "100", "none", false, []],
-    ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, 0, false, "100", "none", false, ["fetch_clamped", "inside_map"]],
+    ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, 0, false, "100", "none", false, ["texel"]],
     ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, 0, false, "100", "fetch_depth", false, ["fetch_clamped", "fetch_bordered", "cleared_depth"]],
     ["depth_at", "depth_at", "stored depth at a point of the map", "c", 4, 0, false, "100", "depth_at", false, ["fetch_depth"]],
     ["beyond_far_plane", "beyond_far_plane", "receivers behind the far plane", "a", 0, 0, false, "100", "beyond_far_plane", false, []],
@@ -13884,6 +14142,7 @@ const rows = [
     ["compare", "compare", "one comparison", "a", 0, 0, false, "100", "compare", false, []],
     ["lit", "lit", "one comparison with a texel", "a", 0, 0, false, "100", "lit", false, ["compare", "fetch_depth"]],
     ["lit_2x2", "lit_2x2", "comparisons with the 2x2 texels from one on", "a", 0, 0, false, "100", "lit_2x2", false, ["lit"]],
+    ["map_covers", "map_covers", "whether a receiver of a prefiltered map lies in it", "a", 0, 0, false, "100", "map_covers", false, []],
     ["within_far_plane", "within_far_plane", "receivers up to the far plane, NaN is none", "a", 0, 0, false, "100", "within_far_plane", false, ["beyond_far_plane"]],
     ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 1, 0, false, "100", "none", false, []],
     ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 1, 0, false, "100", "none", false, []],
@@ -13946,14 +14205,14 @@ const rows = [
     ["dpcf16", "dpcf16", "contact hardening by 16 points", "a", 0, 0, false, "100", "none", false, ["in_filter_domain", "distance_code", "penumbra", "blockers16", "floor_divide", "hardened_kernel16"]],
     ["dpcf32", "dpcf32", "contact hardening by 32 points", "a", 0, 0, false, "100", "none", false, ["in_filter_domain", "distance_code", "penumbra", "blockers32", "floor_divide", "hardened_kernel32"]],
     ["box_moments", "box_moments", "mean and squared distances from it over a box, from a summed-area table", "a", 0, 0, false, "100", "none", false, ["texel", "floor_divide"]],
-    ["summed_variance", "summed_variance", "variance shadow over a box of any size, from a summed-area table", "c", 0, 1 / 65536, false, "100", "none", false, ["in_filter_domain", "cleared_depth", "box_moments"]],
+    ["summed_variance", "summed_variance", "variance shadow over a box of any size, from a summed-area table", "c", 0, 1 / 65536, false, "100", "none", false, ["in_filter_domain", "map_covers", "cleared_depth", "box_moments"]],
     ["box_mean", "box_mean", "mean of four whole numbers over a box, from a summed-area table in two halves", "c", 19, 0, false, "100", "none", false, ["texel"]],
     ["from_optimized_moments", "from_optimized_moments", "four channels of 16 bits to four moments", "b", 5, 0, false, "100", "none", false, []],
     ["bias_moments", "bias_moments", "four moments, moved a little towards those of spread depths", "b", 3, 0, false, "100", "none", false, []],
     ["to_forward_depth", "to_forward_depth", "depth that grows with distance", "b", 1, 0, false, "100", "none", false, ["cleared_depth"]],
     ["moment_atoms", "moment_atoms", "the two depths that make four moments beside a receiver's", "c", 0, 1 / 64, true, "100", "none", false, []],
     ["decode_msm", "decode_msm", "mean of four moments to visibility", "c", 0, 1 / 64, true, "100", "none", false, ["bias_moments", "to_forward_depth", "moment_atoms"]],
-    ["summed_moments", "summed_moments", "moment shadow over a box of any size, from a summed-area table", "c", 0, 1 / 64, true, "100", "none", false, ["in_filter_domain", "box_mean", "from_optimized_moments", "decode_msm"]],
+    ["summed_moments", "summed_moments", "moment shadow over a box of any size, from a summed-area table", "c", 0, 1 / 64, true, "100", "none", false, ["in_filter_domain", "map_covers", "box_mean", "from_optimized_moments", "decode_msm"]],
     ["power_of_two", "power_of_two", "2^n of whole numbers -64 to 63", "a", 0, 0, false, "100", "none", false, []],
     ["exp2_polynomial", "exp2_polynomial", "2^y to 1.8e-7 of it", "b", 16, 0, false, "100", "none", false, ["power_of_two"]],
     ["exp2_steps", "exp2_steps", "2^y in steps of 12 bits", "a", 0, 0, false, "100", "none", false, ["power_of_two"]],
@@ -13976,13 +14235,13 @@ const rows = [
     ["hausdorff_share", "hausdorff_share", "least share of depths before a receiver, of depths on [-1, 1]", "c", 0, 1 / 1048576, true, "100", "none", false, []],
     ["decode_msm_hausdorff", "decode_msm_hausdorff", "mean of four moments of depths on [-1, 1] to visibility", "c", 0, 1 / 64, true, "100", "none", false, ["bias_moments", "decode_msm", "to_forward_depth", "hausdorff_share"]],
     ["fetch_bilinear", "fetch_bilinear", "mean of the four texels around a point", "b", 19, 0, false, "100", "none", false, ["fetch_clamped"]],
-    ["vsm", "vsm", "visibility from a map of encode_vsm's texels", "c", 165, 0, false, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_vsm"]],
-    ["esm", "esm", "visibility from a map of encode_esm's texels", "b", 56, 0, false, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_esm"]],
-    ["evsm2", "evsm2", "visibility from a map of encode_evsm2's texels", "c", 267, 0, false, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_evsm2"]],
-    ["evsm4", "evsm4", "visibility from a map of encode_evsm4's texels", "c", 267, 0, false, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_evsm4"]],
-    ["msm", "msm", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, true, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_msm"]],
-    ["msm_unorm16", "msm_unorm16", "visibility from a map of turned moments", "c", 0, 1 / 64, true, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_msm", "from_optimized_moments"]],
-    ["msm_hausdorff", "msm_hausdorff", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, true, "100", "none", false, ["in_filter_domain", "fetch_bilinear", "decode_msm_hausdorff"]],
+    ["vsm", "vsm", "visibility from a map of encode_vsm's texels", "c", 165, 0, false, "100", "none", false, ["in_filter_domain", "map_covers", "fetch_bilinear", "decode_vsm"]],
+    ["esm", "esm", "visibility from a map of encode_esm's texels", "b", 56, 0, false, "100", "none", false, ["in_filter_domain", "map_covers", "fetch_bilinear", "decode_esm"]],
+    ["evsm2", "evsm2", "visibility from a map of encode_evsm2's texels", "c", 267, 0, false, "100", "none", false, ["in_filter_domain", "map_covers", "fetch_bilinear", "decode_evsm2"]],
+    ["evsm4", "evsm4", "visibility from a map of encode_evsm4's texels", "c", 267, 0, false, "100", "none", false, ["in_filter_domain", "map_covers", "fetch_bilinear", "decode_evsm4"]],
+    ["msm", "msm", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, true, "100", "none", false, ["in_filter_domain", "map_covers", "fetch_bilinear", "decode_msm"]],
+    ["msm_unorm16", "msm_unorm16", "visibility from a map of turned moments", "c", 0, 1 / 64, true, "100", "none", false, ["in_filter_domain", "map_covers", "fetch_bilinear", "decode_msm", "from_optimized_moments"]],
+    ["msm_hausdorff", "msm_hausdorff", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, true, "100", "none", false, ["in_filter_domain", "map_covers", "fetch_bilinear", "decode_msm_hausdorff"]],
     ["chebyshev_hardware", "chebyshev_hardware", "most that a variance lets be lit, less the light that bleeds", "c", 0, 1 / 524288, false, "100", "none", false, []],
     ["decode_vsm_hardware", "decode_vsm_hardware", "mean and deviation to visibility, the cheapest way", "c", 0, 1 / 1024, false, "100", "none", false, ["chebyshev_hardware", "to_forward_depth"]],
     ["decode_evsm2_hardware", "decode_evsm2_hardware", "mean of texels of two components to visibility, by the GPU's own exp2", "c", 0, 1 / 64, false, "100", "none", false, ["chebyshev_hardware", "to_forward_depth"]],
@@ -14011,6 +14270,10 @@ const rows = [
     ["overlay_texel", "overlay_texel", "which texel of a map stretched over the picture's corner a pixel shows, along one side", "a", 0, 0, false, "100", "none", false, []],
     ["hooks/cleared_depth, forward", "cleared_depth", "cleared_depth, forward", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/cleared_depth, reversed", "cleared_depth", "cleared_depth, reversed", "a", 0, 0, false, "100", "chosen", false, []],
+    ["hooks/border_depth, a depth", "border_depth", "border_depth, a depth", "a", 0, 0, false, "100", "border_depth", false, ["cleared_depth"]],
+    ["hooks/border_depth, scaled", "border_depth", "border_depth, scaled", "a", 0, 0, false, "100", "chosen", false, []],
+    ["hooks/map_covers, bordered", "map_covers", "map_covers, bordered", "a", 0, 0, false, "100", "chosen", false, []],
+    ["hooks/map_covers, clamped", "map_covers", "map_covers, clamped", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/beyond_far_plane, forward", "beyond_far_plane", "beyond_far_plane, forward", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/beyond_far_plane, reversed", "beyond_far_plane", "beyond_far_plane, reversed", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/beyond_far_plane, scaled", "beyond_far_plane", "beyond_far_plane, scaled", "a", 0, 0, false, "100", "chosen", false, []],
@@ -14021,20 +14284,23 @@ const rows = [
     ["hooks/texel", "texel", "texel", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/decode", "decode", "decode", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/fetch_depth, clamped", "fetch_depth", "fetch_depth, clamped", "a", 0, 0, false, "100", "chosen", false, ["fetch_clamped", "hooks/decode"]],
-    ["hooks/fetch_depth, bordered", "fetch_depth", "fetch_depth, bordered", "a", 0, 0, false, "100", "chosen", false, ["fetch_clamped", "hooks/decode", "inside_map", "cleared_depth"]],
+    ["hooks/fetch_depth, bordered", "fetch_depth", "fetch_depth, bordered", "a", 0, 0, false, "100", "chosen", false, ["texel", "hooks/decode", "hooks/border_depth, a depth"]],
     ["hooks/lit_texel", "lit_texel", "lit_texel", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/lit, clamped", "lit", "lit, clamped", "a", 0, 0, false, "100", "chosen", false, ["hooks/lit_texel"]],
-    ["hooks/lit, bordered", "lit", "lit, bordered", "a", 0, 0, false, "100", "chosen", false, ["hooks/lit_texel", "inside_map", "compare", "cleared_depth"]],
+    ["hooks/lit, bordered", "lit", "lit, bordered", "a", 0, 0, false, "100", "chosen", false, ["hooks/lit_texel", "compare", "hooks/border_depth, a depth"]],
     ["hooks/gather_lit, compared", "gather_lit", "gather_lit, compared", "a", 0, 0, false, "100", "gather_lit", false, []],
     ["hooks/gather_lit, one channel", "gather_lit", "gather_lit, one channel", "a", 0, 0, false, "100", "chosen", false, ["hooks/decode", "compare"]],
     ["hooks/gather_lit, two channels", "gather_lit", "gather_lit, two channels", "a", 0, 0, false, "100", "chosen", false, ["hooks/decode", "compare"]],
     ["hooks/lit_2x2, gathered", "lit_2x2", "lit_2x2, gathered", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered in a region", "lit_2x2", "lit_2x2, gathered in a region", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared"]],
-    ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "cleared_depth"]],
+    ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "hooks/border_depth, a depth"]],
+    ["hooks/lit_2x2, gathered in a bordered region", "lit_2x2", "lit_2x2, gathered in a bordered region", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "hooks/border_depth, a depth"]],
     ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "c", 0, 1 / 128, false, "100", "chosen", false, ["within_far_plane"]],
-    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "c", 0, 1 / 128, false, "100", "chosen", false, ["within_far_plane", "compare", "cleared_depth"]],
+    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "c", 0, 1 / 128, false, "100", "chosen", false, ["within_far_plane", "compare", "hooks/border_depth, a depth"]],
     ["hooks/lit_at, sampled", "lit_at", "lit_at, sampled", "c", 0, 1 / 128, false, "100", "chosen", false, []],
+    ["hooks/lit_at, sampled and bordered", "lit_at", "lit_at, sampled and bordered", "c", 0, 1 / 128, false, "100", "chosen", false, ["compare", "hooks/border_depth, a depth"]],
     ["hooks/depth_at, sampled", "depth_at", "depth_at, sampled", "c", 4, 0, false, "100", "chosen", false, ["hooks/decode"]],
+    ["hooks/depth_at, sampled and bordered", "depth_at", "depth_at, sampled and bordered", "c", 4, 0, false, "100", "chosen", false, ["hooks/decode", "hooks/border_depth, a depth"]],
 ];
 const all = new Map(rows.map(([id, name, summary, exactness, operations, within, as_written, lowest, role, scaled]) =>
     [id, { id, name, summary, exactness, operations, within, as_written, lowest, role, scaled, needs: [] }]));
@@ -14129,6 +14395,6 @@ const glsl = in_language('glsl');
 const hlsl = in_language('hlsl');
 const msl = in_language('msl');
 const wgsl = in_language('wgsl');
-const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;
+const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;
 
-module.exports = { bind, exactness, supports, text, source, versions, snippets, encodings, glsl, hlsl, msl, wgsl, shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel };
+module.exports = { bind, exactness, supports, text, source, versions, snippets, encodings, glsl, hlsl, msl, wgsl, shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel };

@@ -26,8 +26,9 @@ export type Texture =
 export interface Binding {
     texture?: Texture;
     direction?: 'forward' | 'reversed';
-    /** Outside the map all is lit; else the nearest texel inside counts. */
-    outside_lit?: boolean;
+    /** Outside the map texels count as the far plane, lit, or as the nearest ones inside. Left out: bordered, but
+     *  clamped for tiles, regions and faces of cubes. */
+    outside?: 'bordered' | 'clamped';
     /** 2x2 texels at once; the sampler must clamp to the edge, but for regions. */
     gather?: boolean;
     /** Of `value`, four floats, as "umbrage_decode_rg11(value.xy, 1.0)"; else value.x. */
@@ -360,6 +361,8 @@ export const compare: Snippet;
 export const lit: Snippet;
 /** comparisons with the 2x2 texels from one on */
 export const lit_2x2: Snippet;
+/** whether a receiver of a prefiltered map lies in it */
+export const map_covers: Snippet;
 /** receivers up to the far plane, NaN is none */
 export const within_far_plane: Snippet;
 /** stored + epsilon < receiver is shadow */

@@ -268,10 +268,10 @@ const std::vector<set_up>& set_ups() {
     return all;
 }
 
-umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, umbrage::image_view<float> extents) {
+quality_report measure(const set_up& s, const lit_view& v, int step, umbrage::image_view<float> extents) {
     const placed_maps maps = s.place(v);
     const glm::dmat4 pixels = to_pixels(v);
-    return umbrage::measure_quality(
+    return measure_quality(
         {.screen = v.seen.size(), .map_size = maps.size, .maps = maps.count, .step = step},
         [&](glm::ivec2 pixel) {
             if (v.seen[pixel] == nothing) return glm::dmat2(0);

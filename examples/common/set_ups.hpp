@@ -14,9 +14,8 @@
 
 #include <glm/gtc/type_precision.hpp>
 
-#include <umbrage/images/quality.hpp>
-
 #include "camera.hpp"
+#include "quality.hpp"
 #include "scene.hpp"
 
 namespace example {
@@ -60,9 +59,9 @@ struct set_up {
 };
 [[nodiscard]] const std::vector<set_up>& set_ups();
 
-/// Over surfaces that face the light and lie in a map; see umbrage::measure_quality.
-[[nodiscard]] umbrage::quality_report measure(const set_up& s, const lit_view& v, int step,
-                                              umbrage::image_view<float> extents = {});
+/// Over surfaces that face the light and lie in a map; see measure_quality.
+[[nodiscard]] quality_report measure(const set_up& s, const lit_view& v, int step,
+                                     umbrage::image_view<float> extents = {});
 
 /// The picture of it: from an eighth of a pixel, dark blue, to eight, dark red; gray where nothing was measured; darker
 /// on surfaces that turn away.

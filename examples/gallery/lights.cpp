@@ -51,7 +51,7 @@ void add_view(page& page, const settings& o, const view& v) {
     std::vector<number> numbers;
     for (const example::set_up& s : example::set_ups()) {
         umbrage::image<float> extents((screen - 1) / step + 1);
-        const umbrage::quality_report r = example::measure(s, lit, step, extents.view());
+        const example::quality_report r = example::measure(s, lit, step, extents.view());
         umbrage::image<glm::u8vec3> colors = example::false_colors(lit, extents, step);
         const example::placed_maps maps = s.place(lit);
         example::overlay_maps(colors, lit, maps);

@@ -4,9 +4,8 @@
 #include <sstream>
 #include <string>
 
-#include <umbrage/images/stability.hpp>
-
 #include <set_ups.hpp>
+#include <stability.hpp>
 
 #include "check.hpp"
 
@@ -55,7 +54,7 @@ TEST_CASE("shadow_render: stable cascades stand still, tight ones do not, in the
             CAPTURE(name);
             const std::size_t row = r.said.find("\n" + name + where + "  ");
             REQUIRE(row != std::string::npos);
-            umbrage::stability_report found;
+            example::stability_report found;
             double percent = 0;
             std::istringstream(r.said.substr(row + 1 + name.size() + where.size())) >> found.drift >> found.compared >>
                 found.changed >> percent >> found.change;

@@ -16,12 +16,12 @@
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/unorm.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/images/stability.hpp>
 #include <umbrage/shade/lighting.hpp>
 
 #include <camera.hpp>
 #include <scene.hpp>
 #include <srgb.hpp>
+#include <stability.hpp>
 #include <surface.hpp>
 
 #include "options.hpp"
@@ -34,7 +34,7 @@ namespace shadow_render {
 [[nodiscard]] inline int frames_of(const example::scene& scene) { return scene.parts.empty() ? 24 : 12; }
 
 /// Where a surface is in a frame's maps, and its light.
-using film_look_up = std::function<umbrage::placed_point(const example::surface&)>;
+using film_look_up = std::function<example::placed_point(const example::surface&)>;
 
 /// What is looked up for a surface by pcf_2x2: a point nearer to a directional light, so that no plane shadows itself,
 /// whatever warp the map has.
@@ -79,7 +79,7 @@ constexpr glm::vec3 mark(0.9f, 0.1f, 0.1f);  ///< red
                                         glm::vec3 to_light, const film_look_up& lit, const film_look_up& then = {}) {
     picture out({o.width, o.height}, example::to_srgb(background));
     for_each_surface(o, scene, camera, [&](glm::ivec2 p, const example::surface& at) {
-        const umbrage::placed_point in = lit(at);
+        const example::placed_point in = lit(at);
         const bool other = then && std::abs(then(at).visibility - in.visibility) >= 1.0 / 256;
         out[p] =
             other ? umbrage::store_unorm(mark)

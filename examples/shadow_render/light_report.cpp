@@ -51,7 +51,7 @@ void light_report(const options& o, const example::scene& scene) {
     for (const example::set_up& s : set_ups)
         progress.stage(s.name, [&] {
             umbrage::image<float> extents(size);
-            const umbrage::quality_report r = example::measure(s, view, step, extents.view());
+            const example::quality_report r = example::measure(s, view, step, extents.view());
             const example::placed_maps maps = s.place(view);
             picture colors = example::false_colors(view, extents, step);
             example::overlay_maps(colors, view, maps);

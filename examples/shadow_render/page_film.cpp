@@ -102,7 +102,7 @@ public:
     }
 
     /// @return   in place of a map's number the level of a page
-    [[nodiscard]] umbrage::placed_point operator()(const example::surface& s) const {
+    [[nodiscard]] example::placed_point operator()(const example::surface& s) const {
         const int level = cache_.level_at(glm::dvec2(umbrage::shadow_coordinate(sun_.to_root, s.position)));
         const glm::mat4 to_texels(umbrage::texture_matrix(sun_.root, glm::ivec2(size_.texels << std::max(level, 0))));
         const glm::vec3 p(umbrage::shadow_coordinate(sun_.to_root, biased(to_texels, glm::vec3(-sun_.direction), s)));
@@ -173,7 +173,7 @@ void page_film(const options& o, const example::scene& scene) {
             part = {photograph(
                         o, scene, camera, to_light, [&](const example::surface& s) { return now(s); },
                         [&](const example::surface& s) {
-                            const umbrage::placed_point was = before(s), is = now(s);
+                            const example::placed_point was = before(s), is = now(s);
                             return is.map < was.map ? was : is;
                         }),
                     i, update.forced, pop};

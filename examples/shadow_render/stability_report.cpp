@@ -13,7 +13,6 @@
 #include <glm/geometric.hpp>
 
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/images/stability.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
@@ -22,6 +21,7 @@
 #include <camera.hpp>
 #include <png.hpp>
 #include <progress.hpp>
+#include <stability.hpp>
 
 #include "depth_pass.hpp"
 #include "film.hpp"
@@ -98,7 +98,7 @@ public:
         }
     }
 
-    [[nodiscard]] umbrage::placed_point operator()(const example::surface& s) const {
+    [[nodiscard]] example::placed_point operator()(const example::surface& s) const {
         const auto [number, at] = place(s);
         if (!umbrage::inside_cascade(at, glm::vec<2, T>(T(size_)), T(1.5))) return {};
         return {static_cast<int>(number), glm::dvec2(at),
@@ -157,7 +157,7 @@ example::scene moved(example::scene scene, glm::vec3 by) {
 picture from_above(const options& o, const example::scene& scene, const film_look_up& lit, const film_look_up& first) {
     picture out({o.width, o.height});
     for_each_surface(o, scene, camera_above(o, scene), [&](glm::ivec2 p, const example::surface& at) {
-        const umbrage::placed_point now = lit(at), then = first(at);
+        const example::placed_point now = lit(at), then = first(at);
         const bool same = now.map != then.map || now.visibility == then.visibility;
         const glm::vec3 gray(static_cast<float>(0.15 + 0.7 * now.visibility));
         out[p] = umbrage::store_unorm(same ? gray : mark);
@@ -187,20 +187,20 @@ void stability_report(const options& o, const example::scene& scene) {
     } places[]{{"", glm::vec3(0)}, {", 3 km out", glm::vec3(2300, 40, 1900)}};
     for (const way& w : ways)
         progress.stage(w.name, [&] {
-            std::vector<std::pair<const char*, std::future<umbrage::stability_report>>> found;
+            std::vector<std::pair<const char*, std::future<example::stability_report>>> found;
             for (const auto& place : places)
                 found.emplace_back(place.name, std::async(std::launch::async, [&] {
                                        const example::scene there = moved(scene, place.at);
                                        std::vector<example::surface> seen = points;
                                        for (example::surface& s : seen) s.position += place.at;
-                                       return umbrage::measure_stability(frames, seen.size(), [&](int i) {
+                                       return example::measure_stability(frames, seen.size(), [&](int i) {
                                            return [&, lit = draw(o, there, i, w, seen)](std::size_t k) {
                                                return lit(seen[k]);
                                            };
                                        });
                                    }));
             for (auto& [where, measured] : found) {
-                const umbrage::stability_report r = measured.get();
+                const example::stability_report r = measured.get();
                 if (!o.quiet)
                     std::printf("%-52s %14.6f %9zu %9zu %7.2f %9.4f\n", (std::string(w.name) + where).c_str(), r.drift,
                                 r.compared, r.changed, 100 * r.share(), r.change);

@@ -107,7 +107,7 @@ public:
         return [map = std::move(map), to_texels, way = to_sun(frame)](const example::surface& s) {
             const glm::vec3 at =
                 umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, biased(to_texels, way, s)));
-            return umbrage::placed_point{
+            return example::placed_point{
                 0, glm::dvec2(at), static_cast<double>(umbrage::pcf_2x2(umbrage::clamped(map), glm::vec2(at), at.z))};
         };
     }

@@ -34,7 +34,7 @@ std::vector<glsl::bound> joined(std::initializer_list<snippets> lists, const std
 }
 
 // One text for GLSL 100 and 330: written in the words of 100.
-std::string vertex_text(version v, const snippets& uses, std::string_view rest) {
+std::string vertex_text(version v, const std::vector<glsl::bound>& uses, std::string_view rest) {
     return glsl::source(v, uses, v == version::v100 ? "" : "#define attribute in\n#define varying out\n").append(rest);
 }
 std::string fragment_text(version v, const std::vector<glsl::bound>& uses, std::string_view rest,

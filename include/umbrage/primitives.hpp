@@ -14,14 +14,13 @@
 #include <umbrage/bias/rasterizer.hpp>
 #include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/bias/slope.hpp>
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/compare.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/floor_divide.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/core/literal.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/core/texel_space.hpp>

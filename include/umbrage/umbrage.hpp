@@ -24,7 +24,6 @@
 #include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/quality.hpp>
 #include <umbrage/images/rasterize.hpp>
-#include <umbrage/images/stability.hpp>
 #include <umbrage/images/summed_area.hpp>
 #include <umbrage/images/tessellate.hpp>
 #include <umbrage/images/tetrahedron_pass.hpp>

@@ -27,6 +27,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
@@ -84,14 +85,15 @@
 
 namespace umbrage {
 
-/// Takes the message of an error, "umbrage::function: what is wrong". Where exceptions are switched off, set-up
-/// functions call it in place of throwing std::invalid_argument, and end the program if it returns.
+/// Takes the message of an error, "umbrage::function: argument must be condition; got value". Where exceptions are
+/// switched off, functions call it in place of throwing std::invalid_argument, and end the program if it returns.
 using error_handler = void (*)(const char* message);
 
 namespace detail {
 
-/// What templates take, by default, that are templates for one reason: a file compiles of them what it calls, and not
-/// whatever it includes.
+/// The default argument of what is a template for one reason: a file compiles what it calls, not all that it includes.
+/// For functions that use containers and for loops for several instruction sets, where nothing else makes them so.
+/// Without it umbrage.hpp would take 0.36 s more to compile, half as much again.
 struct on_use;
 
 inline error_handler handler = nullptr;
@@ -118,15 +120,6 @@ template <class To, class From>
 #endif
 }
 
-/// How long a text is, in one step where a constant is made of it.
-[[nodiscard]] constexpr std::size_t length(const char* text) {
-#if defined(__GNUC__) || defined(__clang__)
-    return __builtin_strlen(text);
-#else
-    return std::char_traits<char>::length(text);
-#endif
-}
-
 }  // namespace detail
 
 /// Sets what bad input leads to where exceptions are switched off; where they are on, nothing calls it.
@@ -140,23 +133,75 @@ inline error_handler set_error_handler(error_handler handler) {
 
 }  // namespace umbrage
 
-// ---- umbrage/core/literal.hpp
-// Names and texts that are written down: a std::string_view, but for what it costs to compile. That one counts its
-// characters one by one, by calls that the compiler evaluates.
+// ---- umbrage/core/check.hpp
+// How functions refuse bad input: one message for all, which names function, argument, condition and value.
 //
-//     static constexpr umbrage::literal name = "rg11";
+//     detail::require(map_size >= 1, "make_cascades", "map_size", "above 0", map_size);
+//     // umbrage::make_cascades: map_size must be above 0; got 0
 //
 
-namespace umbrage {
+namespace umbrage::detail {
 
-struct literal : std::string_view {
-    constexpr literal() = default;
-    constexpr literal(const char* text) : std::string_view(text, detail::length(text)) {}
-    constexpr literal(std::string_view text) : std::string_view(text) {}
-    constexpr literal(const std::string& text) : std::string_view(text) {}
-};
+/// A value as messages print it. Words of this library, as "none", are printed as they are; text of a caller in quotes.
+[[nodiscard]] inline std::string printed(const char* words) { return words; }
+[[nodiscard]] inline std::string printed(std::string_view text) { return std::string("\"").append(text).append("\""); }
+template <class T>
+requires std::is_arithmetic_v<T>
+[[nodiscard]] std::string printed(T number) {
+    if constexpr (std::is_same_v<T, bool>) return number ? "true" : "false";
+    else if constexpr (std::is_integral_v<T>) return std::to_string(number);
+    else {
+        char text[32];
+        std::snprintf(text, sizeof text, "%g", static_cast<double>(number));
+        return text;
+    }
+}
 
-}  // namespace umbrage
+/// Sizes are "640 x 480", other vectors "(1, 0.5, 0)", matrices their columns.
+template <glm::length_t N, class T>
+[[nodiscard]] std::string printed(const glm::vec<N, T>& v) {
+    constexpr bool size = std::is_same_v<glm::vec<N, T>, glm::ivec2>;
+    std::string text = size ? "" : "(";
+    for (glm::length_t i = 0; i < N; ++i) text.append(i == 0 ? "" : size ? " x " : ", ").append(printed(v[i]));
+    return text.append(size ? "" : ")");
+}
+template <glm::length_t Columns, glm::length_t Rows, class T>
+[[nodiscard]] std::string printed(const glm::mat<Columns, Rows, T>& m) {
+    std::string text;
+    for (glm::length_t i = 0; i < Columns; ++i) text.append(i == 0 ? "(" : ", ").append(printed(m[i]));
+    return text.append(")");
+}
+
+/// Refuses an argument, or several, of a function: "umbrage::function: argument must be condition; got value. Cause"
+/// @param got     the argument's value, see printed
+/// @param cause   what usually leads there, or what to do; may be empty
+/// @throws std::invalid_argument   always, see fail
+template <class Value>
+[[noreturn]] void refuse(std::string_view function, std::string_view argument, std::string_view condition,
+                         const Value& got, std::string_view cause = {}) {
+    const std::string value = printed(got);
+    std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
+    for (const std::string_view part : {function, std::string_view(": "), argument, std::string_view(" must be "),
+                                        condition, std::string_view("; got "), std::string_view(value)})
+        message.append(part);
+    if (!cause.empty()) message.append(". ").append(cause);
+    fail(message);
+}
+
+/// Refuses an argument unless the condition is met.
+template <class Value>
+constexpr void require(bool met, std::string_view function, std::string_view argument, std::string_view condition,
+                       const Value& got, std::string_view cause = {}) {
+    if (!met) refuse(function, argument, condition, got, cause);
+}
+
+/// Refuses an image of another size than `whose`, as in "the receivers' size".
+inline void require_size(glm::ivec2 got, glm::ivec2 wanted, std::string_view function, std::string_view argument,
+                         std::string_view whose) {
+    if (got != wanted) refuse(function, argument, std::string(whose).append(", ").append(printed(wanted)), got);
+}
+
+}  // namespace umbrage::detail
 
 // ---- umbrage/core/snippet.hpp
 // GLSL twins: what a snippet is. Texts are made of them in glsl.hpp.
@@ -209,6 +254,8 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
 enum class hook {
     none,
     cleared_depth,
+    border_depth,
+    map_covers,
     beyond_far_plane,
     within_far_plane,
     compare,
@@ -224,18 +271,6 @@ enum class hook {
 };
 
 struct snippet;
-
-/// Snippets in a row: a list<>, a header's. A span, but for what it costs to compile.
-struct snippet_span {
-    const snippet* const* first = nullptr;
-    std::size_t size = 0;
-
-    constexpr snippet_span() = default;
-    template <std::size_t Size>
-    constexpr snippet_span(const snippet* const (&snippets)[Size]) : first(snippets), size(Size) {}
-    [[nodiscard]] constexpr const snippet* const* begin() const { return first; }
-    [[nodiscard]] constexpr const snippet* const* end() const { return first + size; }
-};
 
 /// A snippet's GLSL: as it is written down, or what a function puts together each time it is asked for, which spares
 /// whoever includes the header the work.
@@ -257,14 +292,14 @@ private:
 
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
-    literal name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
-    literal summary{};  ///< one line
+    std::string_view name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
+    std::string_view summary{};  ///< one line
     tier exactness = tier::a;
     int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
     float within = 0.0f;      ///< tier c without n: greatest difference from C++; above 1 a share of it
     bool as_written = false;  ///< `within` holds where + - * round to nearest in written order, no bound elsewhere
-    version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
-    snippet_span needs{};            ///< a list<>
+    version lowest = version::v100;           ///< v100: every dialect; v300_es: 300 es and 330 upwards
+    std::span<const snippet* const> needs{};  ///< a list<>
     hook role = hook::none;
     bool scaled = false;  ///< makes depths on a scale of their own, on which 1.0 is not the far plane
     snippet_text source;
@@ -368,6 +403,12 @@ enum class depth_range { unset, zero_to_one, minus_one_to_one };  ///< of z/w be
 enum class depth_direction { forward, reversed };                 ///< reversed: the near plane has the greater depth
 enum class texture_origin { bottom, top };                        ///< where texel (0, 0) is: at NDC y = -1, or y = +1
 
+/// What a texel outside the map counts as.
+enum class outside_map {
+    bordered,  ///< the far plane, as under a border sampler: all outside the map is lit. The default of whole maps
+    clamped,   ///< the nearest texel inside: what tiles with a gutter and faces of cubes want
+};
+
 /// Nothing can guess it, and a wrong one makes everything lit: functions refuse one whose range is unset.
 struct clip_space {
     handedness hand = handedness::right;
@@ -412,7 +453,7 @@ inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one};
 
 /// Clip spaces of APIs and engines, with their names.
 struct named_clip_space {
-    literal name;
+    std::string_view name;
     clip_space value;
 };
 inline constexpr named_clip_space clip_spaces[]{{"opengl_clip_space", opengl_clip_space},
@@ -427,11 +468,10 @@ inline constexpr named_clip_space clip_spaces[]{{"opengl_clip_space", opengl_cli
 
 namespace detail {
 
-inline void refuse_unset(const char* function, const char* argument) {
-    std::string message = "umbrage::";
-    for (const char* part : {function, ": ", argument, " must be given; got unset. Use "}) message += part;
-    for (const named_clip_space& each : clip_spaces) message.append(each.name).append(", ");
-    fail(message + "or cpu_clip_space where no API draws");
+[[noreturn]] inline void refuse_unset(const char* function, const char* argument) {
+    std::string names = "Use ";
+    for (const named_clip_space& each : clip_spaces) names.append(each.name).append(", ");
+    refuse(function, argument, "given", "unset", names.append("or cpu_clip_space where no API draws."));
 }
 
 /// Refuses a clip space that nobody gave, in the name of a function whose argument it is.
@@ -1223,7 +1263,7 @@ consteval bool is_encoding() {
 // What a filter is: a value that makes visibility of a map's texels, and knows what there is to know of itself.
 //
 //     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
-//     float visibility = filter(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = filter(umbrage::bordered(map), coord, depth - bias);
 //
 // The library's own are listed in filters.hpp. Functions over images take any callable like them.
 
@@ -1486,16 +1526,15 @@ inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/core/algorithm.hpp
-// What the library needs of <algorithm>. To include that takes a quarter as long as all else that programs with shadow
-// maps include of the standard library and of GLM.
+// ---- umbrage/core/lesser.hpp
+// std::min, std::max and std::clamp by value, and of vectors element by element. No platform's header defines these
+// names as macros.
 //
-//     detail::sort(points, [](glm::vec2 a, glm::vec2 b) { return a.x < b.x; });
+//     detail::lesser(glm::vec2(1, 4), glm::vec2(2, 3));  // (1, 3)
 //
 
 namespace umbrage::detail {
 
-/// std::min, std::max and std::clamp, by value, by names that no platform's header defines as macros.
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b) {
     return b < a ? b : a;
@@ -1505,7 +1544,6 @@ template <class T>
     return a < b ? b : a;
 }
 
-/// Of vectors, element by element.
 template <class V>
 concept has_elements = requires {
     V::length();
@@ -1532,89 +1570,6 @@ template <class T, class... More>
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T limited(T v, T low, T high) {
     return v < low ? low : (high < v ? high : v);
-}
-
-/// std::copy_n and std::fill_n.
-template <class T>
-UMBRAGE_INLINE constexpr void copy(const T* from, std::size_t count, T* to) {
-    for (std::size_t i = 0; i < count; ++i) to[i] = from[i];
-}
-template <class T>
-UMBRAGE_INLINE constexpr void fill(T* to, std::size_t count, const T& value) {
-    for (std::size_t i = 0; i < count; ++i) to[i] = value;
-}
-
-/// Merges runs twice as long in each turn; what is equal stays in its order.
-/// @param before   (const T&, const T&)
-template <class T, class Before>
-void sort(std::vector<T>& all, const Before& before) {
-    for (std::size_t run = 1; run < all.size(); run *= 2) {
-        const std::vector<T> from = all;
-        for (std::size_t to = 0; to < all.size();) {
-            std::size_t a = to, b = lesser(to + run, all.size());
-            const std::size_t end_a = b, end_b = lesser(b + run, all.size());
-            while (to < end_b)
-                all[to++] = a < end_a && !(b < end_b && before(from[b], from[a])) ? from[a++] : from[b++];
-        }
-    }
-}
-
-/// How many elements, from the first on, are `in_front`, as those behind them are not.
-template <class T, class InFront>
-[[nodiscard]] std::size_t count_in_front(const std::vector<T>& sorted, const InFront& in_front) {
-    std::size_t first = 0;
-    for (std::size_t last = sorted.size(); first < last;) {
-        const std::size_t middle = first + (last - first) / 2;
-        if (in_front(sorted[middle])) first = middle + 1;
-        else last = middle;
-    }
-    return first;
-}
-
-/// The element that would be all[rank], were all sorted; changes their order. None may be a NaN.
-/// @cite   Hoare: Algorithm 65: find, 1961
-template <class T>
-[[nodiscard]] T ranked(std::vector<T>& all, std::size_t rank) {
-    for (std::size_t first = 0, last = all.size() - 1; first < last;) {
-        const T pivot = all[rank];
-        std::size_t i = first, end = last + 1;
-        while (i < end) {
-            while (all[i] < pivot) ++i;
-            while (pivot < all[end - 1]) --end;
-            if (i >= end) break;
-            std::swap(all[i++], all[--end]);
-        }
-        if (rank < end) last = end - 1;
-        else if (rank >= i) first = i;
-        else break;
-    }
-    return all[rank];
-}
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/core/check.hpp
-// How set-up functions refuse bad input.
-//
-//     detail::require(map_size >= 1, "make_cascades", "map_size", "must be above 0", map_size);
-//
-
-namespace umbrage::detail {
-
-/// Reports an argument of a set-up function, or several, unless what they need is met.
-inline void require(bool met, const char* function, const char* arguments, const char* problem) {
-    if (met) return;
-    std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
-    for (const char* part : {function, ": ", arguments, " ", problem}) message += part;
-    fail(message);
-}
-
-/// The same, and the number that was given.
-inline void require(bool met, const char* function, const char* argument, const char* condition, double got) {
-    if (met) return;
-    char problem[128];
-    std::snprintf(problem, sizeof problem, "%s; got %g", condition, got);
-    require(false, function, argument, problem);
 }
 
 }  // namespace umbrage::detail
@@ -1648,8 +1603,10 @@ template <real T>
 /// The one check of a light's matrices.
 template <real T>
 [[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
-    const bool finite = all_finite(light.view) && all_finite(light.projection);
-    require(finite && all_finite(light.projection * light.view), function, arguments, "must give a finite matrix");
+    const glm::mat<4, 4, T> m = light.projection * light.view;
+    const bool finite = all_finite(light.view) && all_finite(light.projection) && all_finite(m);
+    require(finite, function, arguments, "such that the matrix is finite", m,
+            std::is_same_v<T, float> ? "Numbers this large need the double version." : "");
     return light;
 }
 
@@ -1675,11 +1632,11 @@ template <real T>
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
                                            handedness hand, const char* function, const char* position_name) {
-    require(all_finite(position), function, position_name, "must be finite");
-    require(all_finite(direction), function, "direction", "must be finite");
-    require(all_finite(up), function, "up", "must be finite");
+    require(all_finite(position), function, position_name, "finite", position);
+    require(all_finite(direction), function, "direction", "finite", direction);
+    require(all_finite(up), function, "up", "finite", up);
     const glm::vec<3, T> forward = unit(direction);
-    require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
+    require(forward != glm::vec<3, T>(0), function, "direction", "of a length above 0", direction);
 
     glm::vec<3, T> side = glm::cross(forward, unit(up));
     if (!(glm::length(side) > T(1e-3))) side = across(forward)[0];
@@ -1714,7 +1671,7 @@ template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
                                            handedness hand) {
     const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
-    detail::require(detail::all_finite(view), "look_along", "position", "must be nearer to the origin");
+    detail::require(detail::all_finite(view), "look_along", "position", "nearer to the origin", position);
     return view;
 }
 
@@ -1736,8 +1693,8 @@ template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
                                             const char* function, const char* planes = "z_near and z_far") {
     require_given(clip, function);
-    require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
-    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
+    require(is_normal(z_near) && z_near > T(0), function, "z_near", "above 0, finite and no denormal", z_near);
+    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "above z_near", z_far);
     const auto [at_near, at_far] = ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     // the formula over powers of two, which keeps its bits and does not overflow; no far plane: z_near is nothing to it
@@ -1751,7 +1708,7 @@ template <real T>
     m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
     m[3][2] = std::scalbn(product / (f - n), near_scale);
     m[2][3] = forward;
-    require(is_finite(m[3][2]), function, planes, "must give planes farther apart, or nearer to 0");
+    require(is_finite(m[3][2]), function, planes, "farther apart, or nearer to 0", glm::vec<2, T>(z_near, z_far));
     return m;
 }
 
@@ -1761,22 +1718,24 @@ template <real T>
                                              clip_space clip, const char* function, const char* box,
                                              const char* planes) {
     require_given(clip, function);
-    require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
-    require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
-    require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
-    require(z_near < z_far, function, planes, "must give planes in order, some distance apart");
+    require(all_finite(low) && all_finite(high), function, box, "a finite box", glm::vec<4, T>(low, high));
+    require(low.x < high.x && low.y < high.y, function, box, "a box with some width and height",
+            glm::vec<4, T>(low, high));
+    require(is_finite(z_near) && is_finite(z_far), function, planes, "finite", glm::vec<2, T>(z_near, z_far));
+    require(z_near < z_far, function, planes, "in order, some distance apart", glm::vec<2, T>(z_near, z_far));
     const auto [at_near, at_far] = ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(1));
     for (glm::length_t i = 0; i < 2; ++i) {
         m[i][i] = T(2) / (high[i] - low[i]);
         m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
-        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "must not give too large or too small a box");
+        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "neither too large nor too small a box",
+                glm::vec<4, T>(low, high));
     }
     m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
     m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
-    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes,
-            "must give planes neither too far apart nor too close together");
+    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "neither too far apart nor too close together",
+            glm::vec<2, T>(z_near, z_far));
     return m;
 }
 
@@ -1792,8 +1751,8 @@ template <real T>
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
     const auto opening = [](T tangent) { return tangent > T(0) && detail::is_normal(T(1) / tangent); };
-    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "must be above 0, and 1 / tan_half_x finite");
-    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "must be above 0, and 1 / tan_half_y finite");
+    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "above 0, with a normal inverse", tan_half_x);
+    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "above 0, with a normal inverse", tan_half_y);
     return detail::perspective(tan_half_x, tan_half_y, z_near, z_far, clip, "perspective");
 }
 
@@ -1821,7 +1780,7 @@ namespace umbrage {
 
 /// World to texels and depth, before the division by w.
 ///
-/// @param map_size   texels, each >= 1; the first texel's center is (0.5, 0.5)
+/// @param map_size   texels, each >= 1; the first texel's center is (0.5, 0.5). (1, 1) gives normalized coordinates, UV
 /// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
 ///                   [-1, 1] clip space becomes z / 2 + 1 / 2
@@ -1829,7 +1788,7 @@ namespace umbrage {
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
     detail::require_given(light.clip, "texture_matrix", "light.clip");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
+    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "above 0", map_size);
     const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
     glm::mat<4, 4, T> scale_bias(T(1));
     scale_bias[0][0] = half.x;
@@ -1841,7 +1800,8 @@ template <real T>
         scale_bias[3][2] = T(0.5);
     }
     const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
-    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "must give a finite matrix");
+    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "such that their matrix is finite",
+                    m);
     return m;
 }
 
@@ -1856,12 +1816,6 @@ template <real T>
 }
 
 }  // namespace detail
-
-/// The same to [0, 1]: what texture look-ups with normalized coordinates take.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
-    return texture_matrix(light, {1, 1});
-}
 
 /// The taps of the 2002 sample: half a texel off in both directions.
 template <real T>
@@ -1889,7 +1843,7 @@ template <real T>
             taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
         }
         detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
-                        "must give a finite matrix");
+                        "such that their matrix is finite", taps[tap]);
     }
     return taps;
 }
@@ -2009,16 +1963,18 @@ template <real T>
 [[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
     constexpr auto function = "make_light_units";
     detail::require_given(light.clip, function, "light.clip");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
     const glm::mat<4, 4, T>& p = light.projection;
-    detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light", "must not be warped: see light_units_at");
+    detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
+                    "free of a warp, its x and y without a part in w", p,
+                    "A warp's units differ from point to point: see light_units_at.");
     const T edge =
         detail::greater(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
     const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;
-    detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light",
-                    "gives measures that are not finite and above 0");
+    detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light and map_size",
+                    "such that units are finite and above 0", glm::vec<2, T>(edge, depth));
     return {edge, depth};
 }
 
@@ -2243,16 +2199,18 @@ namespace detail {
 /// In steps of the depth buffer, rounded up, towards the far plane.
 [[nodiscard]] inline vulkan_depth_bias raster_numbers(const raster_bias& bias, const char* function) {
     const auto not_negative = [](float v) { return is_finite(v) && v >= 0.0f; };
-    require(not_negative(bias.reach) && is_finite(2.0f * bias.reach), function, "reach", "must be finite, 0 or more");
-    require(not_negative(bias.constant), function, "constant", "must be finite, 0 or more");
-    require(not_negative(bias.greatest), function, "greatest", "must be finite, 0 or more");
+    require(not_negative(bias.reach) && is_finite(2.0f * bias.reach), function, "reach", "finite, 0 or more",
+            bias.reach);
+    require(not_negative(bias.constant), function, "constant", "finite, 0 or more", bias.constant);
+    require(not_negative(bias.greatest), function, "greatest", "finite, 0 or more", bias.greatest);
     require(is_normal(bias.least_depth) && bias.least_depth > 0.0f && bias.least_depth <= 1.0f, function, "least_depth",
-            "must be above 0, no denormal, and at most 1");
+            "above 0, no denormal, and at most 1", bias.least_depth);
     const int step = bias.format == depth_format::unorm16   ? -16
                      : bias.format == depth_format::unorm24 ? -24
                                                             : std::ilogb(bias.least_depth) - 23;
     const float units = std::ceil(std::scalbn(bias.constant, -step));
-    require(is_finite(units), function, "constant and least_depth", "give too many steps of the depth buffer");
+    require(is_finite(units), function, "constant and least_depth", "finite in steps of the depth buffer",
+            glm::vec2(bias.constant, bias.least_depth));
     const float away = bias.direction == depth_direction::forward ? 1.0f : -1.0f;
     return {away * units, away * bias.greatest, away * 2.0f * bias.reach};
 }
@@ -2280,7 +2238,7 @@ namespace detail {
 [[nodiscard]] inline direct3d_depth_bias make_direct3d_depth_bias(const raster_bias& bias) {
     const auto numbers = detail::raster_numbers(bias, "make_direct3d_depth_bias");
     detail::require(std::abs(numbers.constant_factor) < 0x1p31f, "make_direct3d_depth_bias", "constant and least_depth",
-                    "give too many steps of the depth buffer");
+                    "below 2^31 steps of the depth buffer", numbers.constant_factor);
     return {static_cast<std::int32_t>(numbers.constant_factor), numbers.clamp, numbers.slope_factor};
 }
 
@@ -2307,7 +2265,7 @@ template <real T>
     using wide = std::common_type_t<T, double>;  // double, known where this is called: GLM's matrices cost to compile
     const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
     detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
-                    "has no finite inverse");
+                    "finite, with a finite inverse", texture_matrix);
     return m;
 }
 
@@ -2602,7 +2560,7 @@ inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floo
 //
 //     umbrage::image<float> map({1024, 1024}, 1.0f);
 //     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
-//     float depth = umbrage::clamped(foreign)(glm::ivec2(-1, 5));  // the texel at (0, 5)
+//     float depth = umbrage::bordered(foreign)(glm::ivec2(-1, 5));  // 1: the far plane
 //
 
 namespace umbrage {
@@ -2626,14 +2584,15 @@ struct image_view {
     ///                                or not a multiple of the alignment of T
     constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
         : data(pixels), size(extent), stride(stride_bytes) {
-        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
+        detail::require(extent.x >= 0 && extent.y >= 0, "image_view", "extent", "0 or more", extent);
         if (empty()) return;
         const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
         const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
-        if (!pixels) detail::fail("umbrage::image_view: no pixels");
-        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
-        if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
-            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
+        detail::require(pixels != nullptr, "image_view", "pixels", "given", "nullptr");
+        detail::require(extent.y <= 1 || distance >= row_bytes, "image_view", "stride_bytes", "a row's bytes or more",
+                        stride_bytes);
+        detail::require(distance % static_cast<std::ptrdiff_t>(alignof(T)) == 0, "image_view", "stride_bytes",
+                        "a multiple of a texel's alignment", stride_bytes);
     }
 
     /// A view that may write is also a view that may read.
@@ -2657,9 +2616,11 @@ struct image_view {
     /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
     /// @throws std::invalid_argument  not inside the image
     [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
-        const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
-                            extent.x <= size.x - first.x && extent.y <= size.y - first.y;
-        if (!inside) detail::fail("umbrage::image_view: region is not inside the image");
+        detail::require(first.x >= 0 && first.y >= 0, "image_view::region", "first", "0 or more", first);
+        const glm::ivec2 rest = size - first;
+        if (extent.x < 0 || extent.y < 0 || extent.x > rest.x || extent.y > rest.y)
+            detail::refuse("image_view::region", "extent",
+                           std::string("inside the image, at most ").append(detail::printed(rest)), extent);
         const bool none = extent.x == 0 || extent.y == 0;
         return {none ? data : row(first.y) + first.x, extent, stride};
     }
@@ -2697,7 +2658,7 @@ public:
 
     /// @throws std::invalid_argument  negative size
     explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
-        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
+        detail::require(size.x >= 0 && size.y >= 0, "image", "size", "0 or more", size);
         texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
     }
 
@@ -2736,6 +2697,8 @@ template <class T>
 [[nodiscard]] image_view<const T> view_of(const image<T>& of) {
     return of;
 }
+template <class Map>
+using texel_of = std::remove_const_t<std::remove_pointer_t<decltype(view_of(std::declval<const Map&>()).data)>>;
 template <class T>
 inline constexpr bool is_image = false;
 template <class T>
@@ -2778,25 +2741,36 @@ template <class T>
 
 /// fetch_clamped as the callable that filters take.
 /// @throws std::invalid_argument  empty map
-template <class T>
-[[nodiscard]] auto clamped(image_view<T> map) {
-    if (map.empty()) detail::fail("umbrage::clamped: empty map");
-    return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
-}
-template <class T>
-[[nodiscard]] auto clamped(const image<T>& map) {
-    return clamped(map.view());
+template <class Map, class = detail::texel_of<Map>>
+[[nodiscard]] auto clamped(const Map& map) {
+    const auto view = detail::view_of(map);
+    detail::require(!view.empty(), "clamped", "map.size", "above 0", view.size);
+    return [view](glm::ivec2 texel) { return fetch_clamped(view, texel); };
 }
 
-/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
-/// lit.
+/// fetch_bordered as the callable that filters take.
 template <class T>
-[[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
-    return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
+struct bordered_map {
+    image_view<const T> map{};
+    T border{};
+    [[nodiscard]] T operator()(glm::ivec2 texel) const { return fetch_bordered(map, texel, border); }
+};
+/// A map without its border's value: decoded() and look-ups into prefiltered maps know what the far plane is there.
+template <class T>
+struct bordered_texels {
+    image_view<const T> map{};
+};
+
+/// @param border   what texels outside the map count as; the far plane's, as cleared_depth(clip), lights all outside
+template <class Map, class Texel = detail::texel_of<Map>>
+[[nodiscard]] bordered_map<Texel> bordered(const Map& map, std::type_identity_t<Texel> border) {
+    return {detail::view_of(map), border};
 }
-template <class T>
-[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
-    return bordered(map.view(), border);
+/// Of depths that run forward, with 1, the far plane; of other texels bordered_texels.
+template <class Map, class Texel = detail::texel_of<Map>>
+[[nodiscard]] auto bordered(const Map& map) {
+    if constexpr (std::is_floating_point_v<Texel>) return bordered(map, Texel(1));
+    else return bordered_texels<Texel>{detail::view_of(map)};
 }
 
 namespace glsl {
@@ -2852,13 +2826,14 @@ inline constexpr snippet fetch_bordered{
     .name = "fetch_bordered",
     .summary = "texel of a map, outside a border value",
     .exactness = tier::a,
-    .needs = list<&fetch_clamped, &inside_map>,
+    .needs = list<&texel>,
     .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
+    UMBRAGE_HIGHP vec2 at = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, at);
+    return at.x == texel.x && at.y == texel.y ? value : border;
 }
 )GLSL",
 };
@@ -2895,7 +2870,7 @@ template <real T, class Compare = less_equal>
 }
 
 /// Stored depth of a texel: the fetch callable of every filter, by name.
-/// @param fetch   ivec2 texel -> depth, e.g. clamped(map), or decoded(map, rg<11>{}) for packed maps
+/// @param fetch   ivec2 texel -> depth, e.g. bordered(map), or decoded(map, rg<11>{}) for packed maps
 template <class Fetch>
 [[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
     return fetch(texel);
@@ -2929,21 +2904,71 @@ template <real T, class Fetch, class Compare = less_equal>
     return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
 }
 
+/// Whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit.
+/// @param size      of the map, in texels
+/// @param outside   clamped: whatever the receiver, which then sees the map's edge
+/// @exactness       A
+template <real T>
+[[nodiscard]] constexpr bool map_covers(glm::vec<2, T> size, glm::vec<2, T> coord,
+                                        outside_map outside = outside_map::bordered) {
+    return outside == outside_map::clamped ||
+           (coord.x >= T(0) && coord.y >= T(0) && coord.x < size.x && coord.y < size.y);
+}
+
+namespace detail {
+
+/// The far plane's depth, as an encoding knows it.
+template <class Encoding>
+[[nodiscard]] float far_depth(const Encoding& encoding) {
+    if constexpr (requires { encoding.direction; }) return cleared_depth(encoding.direction);
+    else return 1.0f;
+}
+
+}  // namespace detail
+
+/// A packed map with its encoding: a fetch that counts texels outside the map as the far plane. clamped() of it counts
+/// the nearest texel inside.
+template <class Texel, class Encoding>
+struct decoded_map {
+    image_view<const Texel> map{};
+    Encoding encoding{};
+    float border = detail::far_depth(encoding);
+
+    [[nodiscard]] auto operator()(glm::ivec2 texel) const {
+        return inside_map(map.size, texel) ? encoding.decode(map.row(texel.y)[texel.x]) : border;
+    }
+};
+
 /// A packed map as the fetch callable that filters take.
-/// @param fetch      ivec2 -> texel, e.g. bordered(map, encoding.cleared()); a map stands for clamped(map)
+/// @param fetch      ivec2 -> texel, as clamped(map); a map stands for bordered(map)
 /// @param encoding   one of encodings.hpp
-/// @throws std::invalid_argument  empty map
 template <std::invocable<glm::ivec2> Fetch, class Encoding>
 [[nodiscard]] auto decoded(Fetch fetch, Encoding encoding) {
     return [fetch, encoding](glm::ivec2 texel) { return encoding.decode(fetch(texel)); };
 }
 template <class Texel, class Encoding>
-[[nodiscard]] auto decoded(image_view<Texel> map, Encoding encoding) {
-    return decoded(clamped(map), encoding);
+[[nodiscard]] decoded_map<std::remove_const_t<Texel>, Encoding> decoded(image_view<Texel> map, Encoding encoding) {
+    return {map, encoding};
 }
 template <class Texel, class Encoding>
-[[nodiscard]] auto decoded(const image<Texel>& map, Encoding encoding) {
-    return decoded(map.view(), encoding);
+[[nodiscard]] decoded_map<Texel, Encoding> decoded(const image<Texel>& map, Encoding encoding) {
+    return {map, encoding};
+}
+template <class Texel, class Encoding>
+[[nodiscard]] decoded_map<Texel, Encoding> decoded(bordered_texels<Texel> map, Encoding encoding) {
+    return {map.map, encoding};
+}
+
+/// As decoded(bordered(map), encoding).
+template <class Texel, class Encoding>
+[[nodiscard]] decoded_map<Texel, Encoding> bordered(decoded_map<Texel, Encoding> map) {
+    return map;
+}
+/// As decoded(clamped(map), encoding).
+/// @throws std::invalid_argument  empty map
+template <class Texel, class Encoding>
+[[nodiscard]] auto clamped(const decoded_map<Texel, Encoding>& map) {
+    return decoded(clamped(map.map), map.encoding);
 }
 
 namespace glsl {
@@ -2975,8 +3000,8 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 )GLSL",
 };
 
-/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined
-/// beforehand, makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
+/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_CLAMPED, defined beforehand,
+/// makes it clamped(map) instead of bordered(map, cleared_depth(clip)).
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth",
     .summary = "stored depth of a texel",
@@ -2985,9 +3010,9 @@ inline constexpr snippet fetch_depth{
     .role = hook::fetch_depth,
     .source = R"GLSL(
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
-// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+// UMBRAGE_CLAMPED: define it and outside the map the nearest texel inside counts, where it is else the far plane
 #ifndef UMBRAGE_FETCH
-#ifndef UMBRAGE_OUTSIDE_LIT
+#ifdef UMBRAGE_CLAMPED
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
 #else
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
@@ -2996,6 +3021,24 @@ inline constexpr snippet fetch_depth{
 // umbrage_fetch_depth: stored depth of a texel
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     return UMBRAGE_FETCH(map, size, texel);
+}
+)GLSL",
+};
+
+inline constexpr snippet map_covers{
+    .name = "map_covers",
+    .summary = "whether a receiver of a prefiltered map lies in it",
+    .exactness = tier::a,
+    .role = hook::map_covers,
+    .source = R"GLSL(
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// UMBRAGE_CLAMPED: define it and all receivers do
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+#ifdef UMBRAGE_CLAMPED
+    return true;
+#else
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+#endif
 }
 )GLSL",
 };
@@ -3051,8 +3094,8 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL",
 };
 
-inline constexpr const snippet* texel_space_snippets[]{&fetch_depth,      &depth_at, &inside_texel_space,
-                                                       &in_filter_domain, &lit,      &lit_2x2};
+inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, &inside_texel_space, &in_filter_domain,
+                                                       &lit,         &lit_2x2,  &map_covers};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -3408,8 +3451,8 @@ namespace umbrage {
 struct depth32f {
     using target = float_target;
     using texel = target::texel;
-    static constexpr literal name = "depth32f";
-    static constexpr literal summary = "A float texture: nothing to encode.";
+    static constexpr std::string_view name = "depth32f";
+    static constexpr std::string_view summary = "A float texture: nothing to encode.";
     static constexpr const glsl::snippet* writer = &glsl::saturate;
     static constexpr const glsl::snippet* reader = nullptr;
     static constexpr store_format writes = store_format::depth;
@@ -3501,8 +3544,8 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 struct float_bits {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "float_bits";
-    static constexpr literal summary = "The bit pattern of the float itself, R least significant.";
+    static constexpr std::string_view name = "float_bits";
+    static constexpr std::string_view summary = "The bit pattern of the float itself, R least significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
     static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
     static constexpr store_format writes = store_format::integers;
@@ -3591,8 +3634,8 @@ UMBRAGE_HIGHP float umbrage_decode_r16(UMBRAGE_HIGHP float c, UMBRAGE_HIGHP floa
 struct r16 {
     using target = unorm_target<16, 1>;
     using texel = target::texel;
-    static constexpr literal name = "r16";
-    static constexpr literal summary = "One channel of 16 bits.";
+    static constexpr std::string_view name = "r16";
+    static constexpr std::string_view summary = "One channel of 16 bits.";
     static constexpr const glsl::snippet* writer = &glsl::encode_r16;
     static constexpr const glsl::snippet* reader = &glsl::decode_r16;
     static constexpr store_format writes = store_format::integers;
@@ -3709,8 +3752,8 @@ struct rg {
     using target = unorm_target<8, 2>;
     using texel = target::texel;
     static constexpr glsl::detail::short_name name_text{"rg$b", {{'b', Bits}}};
-    static constexpr literal name = name_text.view();
-    static constexpr literal summary = "Two channels: R the low byte, G the rest in its high bits.";
+    static constexpr std::string_view name = name_text.view();
+    static constexpr std::string_view summary = "Two channels: R the low byte, G the rest in its high bits.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
     static constexpr const glsl::snippet* reader = &glsl::decode_rg<Bits>;
     static constexpr store_format writes = store_format::integers;
@@ -3734,7 +3777,11 @@ struct rg {
 //
 //     bool lit = umbrage::receiver_rg<11>(depth, umbrage::upper_edge<float>) <= umbrage::level_rg<11>(sampled);
 //
-// In a filter: #define UMBRAGE_FETCH(map, size, texel) umbrage_level_rg11(umbrage_fetch_clamped(map, size, texel).xy)
+// In a filter, outside of whose map all is lit:
+//
+//     #define STORED(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(1.0)).xy
+//     #define UMBRAGE_FETCH(map, size, texel) umbrage_level_rg11(STORED(map, size, texel))
+//
 // and umbrage_receiver_rg11(depth, 1.0) for the receiver; the filter's visibility is that of decode_rg, to the bit.
 
 namespace umbrage {
@@ -3977,8 +4024,8 @@ UMBRAGE_HIGHP float umbrage_decode_rgb10(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 struct rgb10 {
     using target = unorm_target<10, 3>;
     using texel = target::texel;
-    static constexpr literal name = "rgb10";
-    static constexpr literal summary = "Three 10-bit channels of R10G10B10A2, R most significant.";
+    static constexpr std::string_view name = "rgb10";
+    static constexpr std::string_view summary = "Three 10-bit channels of R10G10B10A2, R most significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rgb10;
     static constexpr const glsl::snippet* reader = &glsl::decode_rgb10;
     static constexpr store_format writes = store_format::integers;
@@ -4079,8 +4126,8 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 struct rgb24 {
     using target = unorm_target<8, 3>;
     using texel = target::texel;
-    static constexpr literal name = "rgb24";
-    static constexpr literal summary = "Three channels, R most significant.";
+    static constexpr std::string_view name = "rgb24";
+    static constexpr std::string_view summary = "Three channels, R most significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rgb24;
     static constexpr const glsl::snippet* reader = &glsl::decode_rgb24;
     static constexpr store_format writes = store_format::integers;
@@ -4102,7 +4149,7 @@ struct rgb24 {
 // Percentage-closer filtering over a disc: 8, 16 or 32 points, turned from pixel to pixel so that no pattern shows.
 //
 //     float visibility =
-//         umbrage::disc<16>(umbrage::clamped(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
+//         umbrage::disc<16>(umbrage::bordered(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
 //
 // Points, turns and radii are whole numbers, so that taps fall on the same texels everywhere. The points were annealed
 // for the least error on edges of any direction, alone and over four quarter turns.
@@ -4340,7 +4387,7 @@ struct rotated_disc {
     int points = 16;  ///< 8, 16 or 32
     float radius_texels = 2.0f;
     comparison is_lit{};
-    literal name = "disc16";
+    std::string_view name = "disc16";
     const glsl::snippet* snippet = &glsl::disc<16>;
 
     static const std::array<rotated_disc, 3> values;
@@ -4418,11 +4465,13 @@ template <real T>
 [[nodiscard]] penumbra_params make_penumbra_params(glm::vec<2, T> units, T light_size, T min_radius = T(1),
                                                    T max_radius = T(16)) {
     constexpr auto function = "make_penumbra_params";
-    detail::require(is_finite(light_size) && light_size >= T(0), function, "light_size", "must be finite, not below 0");
+    detail::require(is_finite(light_size) && light_size >= T(0), function, "light_size", "finite, 0 or more",
+                    light_size);
     detail::require(detail::all_finite(units) && units.x > T(0) && units.y > T(0), function, "units",
-                    "must be finite and above 0");
+                    "finite and above 0", units);
     detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
-                    "min_radius and max_radius", "must be in order, from 0 to 255.9375");
+                    "min_radius and max_radius", "in order, from 0 to 255.9375",
+                    glm::vec<2, T>(min_radius, max_radius));
     const auto exact = double(light_size) / (4096.0 * double(units.x) * double(units.y));
     int exponent = 0;
     const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
@@ -4575,7 +4624,7 @@ inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,  
 // Contact hardening without a second look: one disc counts the blockers, and its share is steepened to the penumbra's
 // width. Half the texels of pcss, and softer than it where a penumbra is much narrower than the light.
 //
-//     float visibility = umbrage::dpcf<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//     float visibility = umbrage::dpcf<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
 
@@ -4694,7 +4743,7 @@ struct dpcf {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
     comparison is_lit{};
-    literal name = "dpcf16";
+    std::string_view name = "dpcf16";
     const glsl::snippet* snippet = &glsl::dpcf<16>;
 
     static const std::array<dpcf, 3> values;
@@ -4729,12 +4778,14 @@ inline constexpr std::array<dpcf, 3> dpcf::values{{{8, {}, {}, "dpcf8", &glsl::d
 //
 //     glm::vec2 units = umbrage::make_light_units(light, map.size());
 //     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
-//     float visibility = umbrage::pcss<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//     float visibility = umbrage::pcss<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
 // A disc as wide as the light, seen from the receiver, is searched for blockers; their mean distance gives the
 // penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, rotation and
-// bias: one that is acne-free for the widest radius is so for all.
+// bias: one that is acne-free for the widest radius is so for all. But it is too large for most receivers. Under eaves,
+// whose casters are nearer to the wall than the bias, only some rotations of the disc find a blocker, and the shadow
+// falls into stripes. Compared along its plane (receiver_plane.hpp) a receiver needs no bias for any radius.
 
 namespace umbrage {
 
@@ -4812,7 +4863,7 @@ struct pcss {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
     comparison is_lit{};
-    literal name = "pcss16";
+    std::string_view name = "pcss16";
     const glsl::snippet* snippet = &glsl::pcss<16>;
 
     static const std::array<pcss, 3> values;
@@ -4845,7 +4896,7 @@ inline constexpr std::array<pcss, 3> pcss::values{{{8, {}, {}, "pcss8", &glsl::p
 // ---- umbrage/filter/pcf/pcf_2x2.hpp
 // Bilinear percentage-closer filtering over 2x2 texels.
 //
-//     float visibility = umbrage::pcf_2x2(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = umbrage::pcf_2x2(umbrage::bordered(map), coord, depth - bias);
 //
 // pcf_2x2 quantizes the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
 // DirectX SDK sample's form in plain floats.
@@ -4964,7 +5015,7 @@ namespace filters {
 
 /// The filter as a value.
 struct pcf_2x2 {
-    static constexpr literal name = "pcf_2x2";
+    static constexpr std::string_view name = "pcf_2x2";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
 
     comparison is_lit{};
@@ -4979,7 +5030,7 @@ struct pcf_2x2 {
 
 /// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
 struct pcf_2x2_dx_sdk {
-    static constexpr literal name = "pcf_2x2_dx_sdk";
+    static constexpr std::string_view name = "pcf_2x2_dx_sdk";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
 
     float epsilon = 0.0f;  ///< in depth
@@ -4999,7 +5050,7 @@ struct pcf_2x2_dx_sdk {
 // ---- umbrage/filter/pcf/pcf_2x2_hardware.hpp
 // pcf_2x2 by the sampler: one look-up that compares four texels and weighs them.
 //
-//     float visibility = umbrage::pcf_2x2_hardware(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = umbrage::pcf_2x2_hardware(umbrage::bordered(map), coord, depth - bias);
 //
 // In a shader bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly; for any other map
 // it is pcf_2x2. The bound holds for samplers that weigh in steps of 1/256, as Direct3D has them, or finer. OpenGL
@@ -5103,7 +5154,7 @@ inline constexpr const snippet* pcf_2x2_hardware_snippets[]{&lit_filtered, &lit_
 // ---- umbrage/filter/pcf/disc_hardware.hpp
 // A disc by the sampler: each point is a look-up that compares four texels and weighs them.
 //
-//     float visibility = umbrage::disc_hardware<16>(umbrage::clamped(map), coord, depth - bias, 3.0f,
+//     float visibility = umbrage::disc_hardware<16>(umbrage::bordered(map), coord, depth - bias, 3.0f,
 //                                                   umbrage::disc_rotation(pixel));
 //
 // Maps and samplers are as for pcf_2x2_hardware.hpp. Points lie where they fall, between texels, as the sampler weighs
@@ -5219,7 +5270,7 @@ inline constexpr const snippet* disc_hardware_snippets[]{&lit_at, &disc_hardware
 // Percentage-closer soft shadows as the textbook has them, in floats and by samplers: for half the instructions of
 // pcss.hpp, which has the same bits everywhere.
 //
-//     float visibility = umbrage::pcss_hardware<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//     float visibility = umbrage::pcss_hardware<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                                   umbrage::disc_rotation(pixel));
 //
 // A shader binds one texture twice: to a sampler of the nearest texel, from which the search reads depths
@@ -5449,7 +5500,7 @@ inline constexpr const snippet* bounds_lit_snippets[]{&bounds_lit};
 // ---- umbrage/filter/pcf/box.hpp
 // Percentage-closer filtering with a (2r+1) x (2r+1) box of equal weights.
 //
-//     float visibility = umbrage::box(umbrage::clamped(map), coord, depth - bias, 2);  // 5 x 5
+//     float visibility = umbrage::box(umbrage::bordered(map), coord, depth - bias, 2);  // 5 x 5
 //
 
 namespace umbrage {
@@ -5576,7 +5627,7 @@ namespace filters {
 
 /// The filter as a value.
 struct box {
-    static constexpr literal name = "box";
+    static constexpr std::string_view name = "box";
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< clamped to 0..8
@@ -5595,7 +5646,7 @@ struct box {
 /// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
 /// Pays off for large radii, and where shadows have more inside than border.
 struct hierarchical_box {
-    static constexpr literal name = "hierarchical_box";
+    static constexpr std::string_view name = "hierarchical_box";
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< clamped to 0..8
@@ -5616,7 +5667,7 @@ struct hierarchical_box {
 // Percentage-closer filtering over four taps with coordinates of their own, as the Radeon 8500 did it: one texture
 // matrix per tap (tap_matrices), four nearest fetches, four tests, the mean.
 //
-//     float visibility = umbrage::four_tap(umbrage::clamped(map), a, b, c, d, depth - bias);
+//     float visibility = umbrage::four_tap(umbrage::bordered(map), a, b, c, d, depth - bias);
 //
 
 namespace umbrage {
@@ -5675,7 +5726,7 @@ namespace filters {
 
 /// The filter as a value.
 struct four_tap {
-    static constexpr literal name = "four_tap";
+    static constexpr std::string_view name = "four_tap";
     static constexpr const glsl::snippet* snippet = &glsl::four_tap;
 
     std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
@@ -5703,7 +5754,7 @@ struct four_tap {
 // four_tap by the sampler, as the Radeon 8500 had it: coordinates that four texture matrices give are the sampler's as
 // they are, and its nearest texel is the tap's.
 //
-//     float visibility = umbrage::four_tap_hardware(umbrage::clamped(map), size, a, b, c, d, depth - bias);
+//     float visibility = umbrage::four_tap_hardware(umbrage::bordered(map), size, a, b, c, d, depth - bias);
 //
 // In a shader bind it to a map with `gather` set, which says that there is a sampler of the nearest texel. Taps within
 // a rounding of a texel's border may read the texel beside it.
@@ -5765,7 +5816,7 @@ inline constexpr const snippet* four_tap_hardware_snippets[]{&four_tap_hardware}
 // ---- umbrage/filter/pcf/hard.hpp
 // The unfiltered shadow test: one texel, one comparison.
 //
-//     float visibility = umbrage::hard(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = umbrage::hard(umbrage::bordered(map), coord, depth - bias);
 //
 
 namespace umbrage {
@@ -5810,7 +5861,7 @@ namespace filters {
 
 /// The filter as a value.
 struct hard {
-    static constexpr literal name = "hard";
+    static constexpr std::string_view name = "hard";
     static constexpr const glsl::snippet* snippet = &glsl::hard;
 
     comparison is_lit{};
@@ -6196,9 +6247,9 @@ inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube
 // Percentage-closer filtering under a window of weights that slides over the map in steps of 1/256 texel, so that
 // edges of shadows move as smoothly as receivers do.
 //
-//     float visibility = umbrage::tent<3>(umbrage::clamped(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
+//     float visibility = umbrage::tent<3>(umbrage::bordered(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
 //     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
-//     float softer = umbrage::window(umbrage::clamped(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
+//     float softer = umbrage::window(umbrage::bordered(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
 //
 // In a shader a window asks for 2 x 2 texels at a time: bound to a map with `gather`, one of 3 x 3 weights takes 4
 // gathers, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
@@ -6236,17 +6287,19 @@ struct window_row {
 /// @param steps   of a texel, a power of two up to 256; times the sum of all weights it is a whole number up to 4096
 /// @throws std::invalid_argument  anything else
 [[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
-    if (size < 1 || size > max_window) detail::fail("umbrage::make_window_row: size");
-    if (steps < 1 || steps > 256 || (steps & (steps - 1)) != 0) detail::fail("umbrage::make_window_row: steps");
+    constexpr auto function = "make_window_row";
+    detail::require(size >= 1 && size <= max_window, function, "size", "from 1 to 15", size);
+    detail::require(steps >= 1 && steps <= 256 && (steps & (steps - 1)) == 0, function, "steps",
+                    "a power of two from 1 to 256", steps);
     float sum = 0.0f;
     for (int i = 0; i < size; ++i) {
         const float weight = half[static_cast<std::size_t>(i < size - 1 - i ? i : size - 1 - i)];
-        if (!(weight >= 0.0f)) detail::fail("umbrage::make_window_row: weights");
+        detail::require(weight >= 0.0f, function, "half", "weights of 0 or more", weight);
         sum += weight;
     }
     const float whole = sum * static_cast<float>(steps);
-    if (!(whole >= 1.0f && whole <= 4096.0f) || whole != static_cast<float>(static_cast<int>(whole)))
-        detail::fail("umbrage::make_window_row: sum of the weights");
+    const bool integer = whole >= 1.0f && whole <= 4096.0f && whole == static_cast<float>(static_cast<int>(whole));
+    detail::require(integer, function, "the sum of all weights times steps", "an integer from 1 to 4096", whole);
     return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
 }
 
@@ -6396,7 +6449,7 @@ inline constexpr const snippet* window_snippets[]{&window_sum<3>, &window_sum<5>
 // window of 3 x 3 weights takes 4 look-ups, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
 //
 //     constexpr umbrage::window_row row = umbrage::castano_row<5>;
-//     float visibility = umbrage::window_hardware(umbrage::clamped(map), coord, depth - bias, row);
+//     float visibility = umbrage::window_hardware(umbrage::bordered(map), coord, depth - bias, row);
 //     // in a shader umbrage_window_hardware5(map, size, coord, receiver, 1.0, 3.0, 4.0)
 //
 // Maps and samplers are as for pcf_2x2_hardware.hpp.
@@ -6529,7 +6582,7 @@ inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, 
 // ---- umbrage/filter/pcf/windows.hpp
 // The library's sliding windows, as functions and as values of one filter:
 //
-//     float visibility = umbrage::binomial<5>(umbrage::clamped(map), coord, depth - bias);
+//     float visibility = umbrage::binomial<5>(umbrage::bordered(map), coord, depth - bias);
 //     umbrage::visibility(map, encoding, receivers, umbrage::filters::binomial<5>, out);
 //
 //     tent<2>, tent<3>, tent<7>    1 1; 1 2 1; 1 2 3 4 3 2 1
@@ -6731,7 +6784,7 @@ namespace filters {
 struct window {
     window_row row = tent_row<3>;
     comparison is_lit{};
-    literal name = "window";
+    std::string_view name = "window";
     const glsl::snippet* snippet = nullptr;  ///< of the same result; none for rows of one's own
 
     static const std::array<window, 9> values;  ///< the library's
@@ -7098,9 +7151,10 @@ struct esm_settings {
 /// @throws std::invalid_argument   exponent not above 0, or beyond what keeps the texels and their inverses normal
 ///                                 numbers: 63 in 32 bits, 14 in 16
 [[nodiscard]] inline esm_settings make_esm(const esm_settings& settings) {
-    const float most = settings.store == float_store::single ? 63.0f : 14.0f;
-    if (!(settings.exponent > 0.0f && settings.exponent <= most))
-        detail::fail("umbrage::make_esm: exponent not above 0, or above 63, 14 in 16 bits");
+    const bool single = settings.store == float_store::single;
+    detail::require(settings.exponent > 0.0f && settings.exponent <= (single ? 63.0f : 14.0f), "make_esm", "exponent",
+                    single ? "above 0 and at most 63" : "above 0 and at most 14 in 16 bits", settings.exponent,
+                    "Beyond that the warped depth overflows.");
     return settings;
 }
 
@@ -7258,15 +7312,17 @@ struct evsm_parameters {
 [[nodiscard]] inline evsm_parameters make_evsm(const evsm_settings& settings) {
     const bool single = settings.store == float_store::single;
     const float most = single ? 55.0f : 7.99f, usual = single ? 1e-4f : 1e-2f;
-    if (!(settings.least_deviation >= 0.0f)) detail::fail("umbrage::make_evsm: least deviation below 0");
+    constexpr auto function = "make_evsm";
+    detail::require(settings.least_deviation >= 0.0f, function, "least_deviation", "0 or more",
+                    settings.least_deviation);
     const float least = settings.least_deviation > 0.0f ? settings.least_deviation : usual;
     const auto deviation = [&](float exponent, bool falls) {
-        if (!(exponent > 0.0f && exponent <= most))
-            detail::fail("umbrage::make_evsm: exponent not above 0, or above 55, 7.99 in 16 bits");
+        detail::require(exponent > 0.0f && exponent <= most, function, falls ? "falling" : "exponent",
+                        single ? "above 0 and at most 55" : "above 0 and at most 7.99 in 16 bits", exponent);
         const float part = exponent * (1.38629436f * least);
         const float least_power = falls ? exp2_polynomial(-exponent) : 1.0f;
-        if (part * least_power < 0x1p-51f)  // squares that count beside its square may be below 2^-126
-            detail::fail("umbrage::make_evsm: least deviation too small for the exponent");
+        // squares that count beside its square may be below 2^-126
+        detail::require(part * least_power >= 0x1p-51f, function, "least_deviation", "larger for this exponent", least);
         return part;
     };
     return {{settings.exponent, settings.falling},
@@ -8117,7 +8173,7 @@ inline constexpr const snippet* hausdorff_snippets[]{&hausdorff_share, &decode_m
 // ---- umbrage/filter/prefiltered/look_up.hpp
 // Prefiltered maps from a shader or for one receiver: four texels, weighed, and what they say of visibility.
 //
-//     float visibility = umbrage::vsm(umbrage::clamped(moments), coord, depth - bias, 1e-6f);
+//     float visibility = umbrage::vsm(umbrage::bordered(moments), coord, depth - bias, 1e-6f);
 //
 // In a shader bind the snippet to the map of moments; texels are read one by one and weighed in steps of 1/256, so that
 // any texture of floats will do. Where the sampler filters such a texture, or takes a level of its mip chain, ask it
@@ -8147,16 +8203,21 @@ template <real T, class Fetch>
 
 namespace detail {
 
-/// What look-ups share: who is not compared is lit.
+/// What look-ups share: who is not compared is lit, and with bordered(map) who is outside the map. Texels beside its
+/// edge are the nearest ones inside, as they were for the blur.
 template <real T, class Fetch, class Decode>
 [[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T cleared, const Decode& decode) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
-    return in_filter_domain(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+    if constexpr (requires { fetch.map.size; }) {
+        if (!map_covers(glm::vec<2, T>(fetch.map.size), coord)) return T(1);
+        return decode(fetch_bilinear(clamped(fetch.map), coord));
+    } else return decode(fetch_bilinear(fetch, coord));
 }
 
 }  // namespace detail
 
-/// @param fetch      ivec2 texel -> texel of encode_vsm, blurred
+/// @param fetch      texels of encode_vsm, blurred: bordered(map), outside of which all is lit, or ivec2 -> texel
 /// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @formula          decode_vsm of fetch_bilinear
@@ -8251,14 +8312,14 @@ inline constexpr snippet vsm{
     .summary = "visibility from a map of encode_vsm's texels",
     .exactness = tier::c,
     .operations = 165,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_vsm>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_vsm>,
     .source = R"GLSL(
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
 UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
     return compared ? lit : 1.0;
@@ -8271,14 +8332,14 @@ inline constexpr snippet esm{
     .summary = "visibility from a map of encode_esm's texels",
     .exactness = tier::b,
     .operations = 56,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_esm>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_esm>,
     .source = R"GLSL(
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
 UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
     return compared ? lit : 1.0;
@@ -8291,7 +8352,7 @@ inline constexpr snippet evsm2{
     .summary = "visibility from a map of encode_evsm2's texels",
     .exactness = tier::c,
     .operations = 267,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm2>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_evsm2>,
     .source = R"GLSL(
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
@@ -8299,7 +8360,7 @@ inline constexpr snippet evsm2{
 UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
                                   UMBRAGE_HIGHP float deviation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
     return compared ? lit : 1.0;
@@ -8312,7 +8373,7 @@ inline constexpr snippet evsm4{
     .summary = "visibility from a map of encode_evsm4's texels",
     .exactness = tier::c,
     .operations = 267,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_evsm4>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_evsm4>,
     .source = R"GLSL(
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
@@ -8320,7 +8381,7 @@ inline constexpr snippet evsm4{
 UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
                                   UMBRAGE_HIGHP vec2 deviations) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return compared ? lit : 1.0;
@@ -8334,14 +8395,14 @@ inline constexpr snippet msm{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_msm>,
     .source = R"GLSL(
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -8355,14 +8416,14 @@ inline constexpr snippet msm_unorm16{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm, &from_optimized_moments>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_msm, &from_optimized_moments>,
     .source = R"GLSL(
 // umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;
@@ -8376,14 +8437,14 @@ inline constexpr snippet msm_hausdorff{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&in_filter_domain, &fetch_bilinear, &decode_msm_hausdorff>,
+    .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_msm_hausdorff>,
     .source = R"GLSL(
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;
@@ -8543,10 +8604,11 @@ template <real T, class Fetch>
 /// @param table      as make_moment_table makes it
 /// @param size       of the table in texels: (2 (w + 1), h + 1) of a map of w x h
 /// @param coord      receiver in texels of the map, the first texel's center is (0.5, 0.5); outside texel space, or
-///                   NaN: lit; what of the box lies outside the map does not count
+///                   NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
 /// @param bias       msm_bias_16
+/// @param outside    bordered: outside the map all is lit; clamped: as at its edge. Of a box the texels inside count
 /// @return           visibility: at least the lit share of the box, less bias.x and decode_msm's error
 /// @formula          decode_msm of box_mean / 65535, turned back
 /// @exactness        C, within 1/64 as written
@@ -8554,10 +8616,10 @@ template <real T, class Fetch>
 ///                   SIGGRAPH 1984
 template <real T, class Fetch>
 [[nodiscard]] T summed_moments(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius,
-                               glm::vec<2, T> bias, T cleared = T(1)) {
+                               glm::vec<2, T> bias, T cleared = T(1), outside_map outside = outside_map::bordered) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
-    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
+    if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(map), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
     const int reach = static_cast<int>(radius);
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
@@ -8605,7 +8667,7 @@ inline constexpr snippet summed_moments{
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
-    .needs = list<&in_filter_domain, &box_mean, &from_optimized_moments, &decode_msm>,
+    .needs = list<&in_filter_domain, &map_covers, &box_mean, &from_optimized_moments, &decode_msm>,
     .source = R"GLSL(
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
@@ -8614,8 +8676,8 @@ inline constexpr snippet summed_moments{
 UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                            UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
@@ -8680,11 +8742,11 @@ template <real T, class Fetch>
 /// Share of the texels in a box that can be lit: Chebyshev's bound, from its mean and variance.
 /// @param table      as make_variance_table makes it
 /// @param size       of the map in texels; the table has one more column and row
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit; what
-///                   of the box lies outside the map does not count
+/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
 /// @param codes      2^bits of the table
+/// @param outside    bordered: outside the map all is lit; clamped: as at its edge. Of a box the texels inside count
 /// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit share
 /// @formula          m, v mean and variance of the codes + 1: d = codes receiver - m; d <= 0 ? 1 : v / (v + d^2)
 /// @exactness        C, within 1/65536: two divisions, on numbers that do not cancel; d is off by 2^-23 where v is at
@@ -8693,8 +8755,8 @@ template <real T, class Fetch>
 ///                   shadow maps, I3D 2006
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T summed_variance(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius, T codes,
-                                Compare is_lit = {}) {
-    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+                                Compare is_lit = {}, outside_map outside = outside_map::bordered) {
+    if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(size), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
     const int reach = static_cast<int>(radius);
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
@@ -8753,7 +8815,7 @@ inline constexpr snippet summed_variance{
     .summary = "variance shadow over a box of any size, from a summed-area table",
     .exactness = tier::c,
     .within = 1.0f / 65536.0f,
-    .needs = list<&in_filter_domain, &cleared_depth, &box_moments>,
+    .needs = list<&in_filter_domain, &map_covers, &cleared_depth, &box_moments>,
     .source = R"GLSL(
 // umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
@@ -8762,8 +8824,8 @@ inline constexpr snippet summed_variance{
 UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP float codes) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = size - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
@@ -9073,7 +9135,7 @@ inline constexpr const snippet* blend_snippets[]{&cascade_weight, &cascade_fade,
 //     float number = umbrage::cascade_by_depth(view_depth, u.ends);
 //     glm::vec3 at = umbrage::cascade_coordinate(light, umbrage::cascade_column(u.scales, number),
 //                                                umbrage::cascade_column(u.offsets, number));
-//     float visibility = umbrage::pcf_2x2(umbrage::clamped(maps[int(number)]), glm::vec2(at), at.z - bias);
+//     float visibility = umbrage::pcf_2x2(umbrage::bordered(maps[int(number)]), glm::vec2(at), at.z - bias);
 //
 // In shaders the number is an array's layer, or chooses a tile of an atlas. Where arrays of uniforms take an index that
 // differs from pixel to pixel, they do for cascade_column. What costs a shader least there is a texture matrix for each
@@ -9270,11 +9332,12 @@ inline constexpr const snippet* select_snippets[]{&cascade_by_depth, &cascade_co
 
 namespace umbrage {
 
-/// Between even splits and those by which distances grow by one factor.
+/// Between uniform splits and logarithmic ones, which grow by one factor: with these a texel covers as many pixels in
+/// every cascade.
 ///
 /// @tparam Count           cascades
 /// @param z_near, z_far    distances along the camera's axis, 0 < z_near < z_far
-/// @param lambda           0 even, 1 by one factor
+/// @param lambda           0 uniform, 1 logarithmic
 /// @return                 Count + 1 distances, strictly ascending; the first and the last are z_near and z_far
 /// @throws std::invalid_argument  anything else, and a range too short to be cut
 /// @formula                lambda n (f / n)^(i / Count) + (1 - lambda) (n + (f - n) i / Count)
@@ -9283,10 +9346,9 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<T, Count + 1> practical_splits(T z_near, T z_far, T lambda) {
     static_assert(Count > 0);
     constexpr auto function = "practical_splits";
-    detail::require(is_finite(z_near) && z_near > T(0), function, "z_near", "must be finite and above 0");
-    detail::require(is_finite(z_far) && z_far > z_near, function, "z_far", "must be finite and above z_near");
-    detail::require(is_finite(lambda) && lambda >= T(0) && lambda <= T(1), function, "lambda",
-                    "must lie between 0 and 1");
+    detail::require(is_finite(z_near) && z_near > T(0), function, "z_near", "finite and above 0", z_near);
+    detail::require(is_finite(z_far) && z_far > z_near, function, "z_far", "finite and above z_near", z_far);
+    detail::require(is_finite(lambda) && lambda >= T(0) && lambda <= T(1), function, "lambda", "from 0 to 1", lambda);
     const double n = static_cast<double>(z_near), f = static_cast<double>(z_far), log_n = std::log(n);
     const double share = static_cast<double>(lambda), log_range = std::log(f) - log_n;  // f / n may overflow
     std::array<T, Count + 1> splits;
@@ -9297,29 +9359,9 @@ template <std::size_t Count, real T>
     }
     splits[Count] = z_far;
     for (std::size_t i = 0; i < Count; ++i)
-        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "must be farther apart");
+        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "farther apart",
+                        glm::vec<2, T>(z_near, z_far));
     return splits;
-}
-
-/// Even splits.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<T, Count + 1> uniform_splits(T z_near, T z_far) {
-    return practical_splits<Count>(z_near, z_far, T(0));
-}
-
-/// Splits that grow by one factor, so that a texel covers as many pixels in every cascade.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<T, Count + 1> logarithmic_splits(T z_near, T z_far) {
-    return practical_splits<Count>(z_near, z_far, T(1));
-}
-
-/// Splits as shares of the range, which some engines take.
-/// @return   (split - n) / (f - n): 0 .. 1
-template <real T, std::size_t Size>
-[[nodiscard]] std::array<T, Size> split_shares(const std::array<T, Size>& splits) {
-    std::array<T, Size> shares;
-    for (std::size_t i = 0; i < Size; ++i) shares[i] = (splits[i] - splits.front()) / (splits.back() - splits.front());
-    return shares;
 }
 
 }  // namespace umbrage
@@ -9351,10 +9393,10 @@ struct directional_light {
 template <real T = float>
 [[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
     constexpr auto function = "make_directional_light";
-    detail::require(light.map_size >= 1, function, "map_size", "must be above 0");
+    detail::require(light.map_size >= 1, function, "map_size", "above 0", light.map_size);
     detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
-                    "must be finite and above 0");
-    detail::require(is_finite(light.offset), function, "offset", "must be finite");
+                    "finite and above 0", light.texels_per_unit);
+    detail::require(is_finite(light.offset), function, "offset", "finite", light.offset);
     // along the normalized direction, moved by the offset: the view's last row holds the light's distance
     light_space<T> space{
         detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
@@ -9560,13 +9602,13 @@ template <real T>
 template <real T = float>
 [[nodiscard]] light_space<T> make_dual_paraboloid_light(const dual_paraboloid_light<T>& light) {
     constexpr auto function = "make_dual_paraboloid_light";
-    detail::require(light.map_size >= 16, function, "map_size", "must be at least 16");
+    detail::require(light.map_size >= 16, function, "map_size", "16 or more", light.map_size);
     detail::require(light.border >= 0 && light.border <= light.map_size / 8, function, "border",
-                    "must be at least 0 and at most an eighth of map_size");
+                    "from 0 to an eighth of map_size", light.border);
     detail::require_given(light.clip, function);
-    detail::require(detail::all_finite(light.position), function, "position", "must be finite");
+    detail::require(detail::all_finite(light.position), function, "position", "finite", light.position);
     const bool in_range = light.range > T(0) && detail::is_normal(light.range) && detail::is_normal(T(1) / light.range);
-    detail::require(in_range, function, "range", "must be above 0, and it and 1 / range finite");
+    detail::require(in_range, function, "range", "above 0, and it and 1 / range finite", light.range);
     const auto [at_light, at_range] = detail::ends<T>(light.clip);
     light_space<T> space{.clip = light.clip};
     space.view[3] = glm::vec<4, T>(-light.position, T(1));
@@ -9667,9 +9709,9 @@ struct point_light {
 template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 6> make_point_light(const point_light<T>& light) {
     constexpr auto function = "make_point_light";
-    detail::require(light.border >= 0, function, "border", "must not be below 0");
+    detail::require(light.border >= 0, function, "border", "0 or more", light.border);
     detail::require(light.map_size / 2 >= light.border && light.map_size > 2 * light.border, function, "map_size",
-                    "must be above twice the border");
+                    "above twice the border", light.map_size);
     const T extent = T(light.map_size) / T(light.map_size - 2 * light.border);
     glm::mat<4, 4, T> projection = detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function);
     if (light.clip.hand == handedness::left) projection[0][0] = -projection[0][0];
@@ -9957,15 +9999,15 @@ template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 4> make_tetrahedron_light(const tetrahedron_light<T>& light,
                                                                    const std::array<tetrahedron_tile<T>, 4>& tiles) {
     constexpr auto function = "make_tetrahedron_light";
-    detail::require(light.map_size >= 1, function, "map_size", "must be above 0");
-    detail::require(light.border >= 0, function, "border", "must not be below 0");
+    detail::require(light.map_size >= 1, function, "map_size", "above 0", light.map_size);
+    detail::require(light.border >= 0, function, "border", "0 or more", light.border);
     const glm::mat<4, 4, T> depths = detail::perspective(T(1), T(1), light.z_near, light.z_far, light.clip, function);
     std::array<light_space<T>, 4> faces;
     for (int i = 0; i < 4; ++i) {
         const tetrahedron_tile<T>& whole = tiles[static_cast<std::size_t>(i)];
         const tetrahedron_tile<T> tile = without_border(whole, T(light.border));
         detail::require(glm::dot(tile[1] - tile[0], whole[1] - whole[0]) > T(0), function, "border",
-                        "must leave something of each triangle");
+                        "narrow enough to leave some of each triangle", light.border);
         const glm::vec<3, T> normal = tetrahedron_normal<T>(i);
         glm::mat<2, 3, T> rows(T(0));  // of x w and y w, w = normal . p
         for (int j = 0, corner = 0; j < 4; ++j) {
@@ -10023,9 +10065,10 @@ template <real T = float>
     constexpr auto function = "make_spot_light";
     const T angle = light.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "must lie between 0 and pi / 2");
+                    "outer_angle_radians", "above 0 and below pi / 2", angle, "Is it in degrees?");
     const T extent = std::tan(angle);
-    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians", "must have a finite cotangent");
+    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians",
+                    "large enough for a finite cotangent", angle);
     return detail::checked<T>(
         {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
          detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function), light.clip},
@@ -10524,6 +10567,12 @@ template <bool Forward>
                                    (detail::bit_cast<std::int32_t>(b) & ~mask));
 }
 
+/// Mask of the depths that apply_receiver_plane takes for the far plane's: closer to it than 2^-64.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t cleared_mask(float depth, float cleared) {
+    const std::int32_t apart = detail::bit_cast<std::int32_t>(depth - cleared) & 0x7FFFFFFF;
+    return -std::int32_t(apart < detail::bit_cast<std::int32_t>(0x1p-64f));
+}
+
 /// less_equal as 0 or 1, NaN 0 whatever the compiler believes.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
     if constexpr (finite_math_only)
@@ -10667,6 +10716,17 @@ inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes
     for (int i = 0; i < Count; ++i) v[i] = masked(v[i], mask[i]);
 }
 
+/// apply_receiver_plane of a row of texels from column `first` on.
+/// @param slope, x   of the receiver, along the row;   beside  what the row's distance from it adds to the plane
+template <int Count>
+inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
+                          plain_lanes<float, Count>& texels) {
+    for (int i = 0; i < Count; ++i) {
+        const float along = slope * (static_cast<float>(i) + first + 0.5f - x);
+        texels[i] = select(cleared_mask(texels[i], cleared), texels[i], texels[i] - (along + beside));
+    }
+}
+
 /// Adds products to a register of four, lane by lane and round about; none rounds.
 template <int Count>
 inline void add_products(const plain_lanes<float, Count>& a, const plain_lanes<float, Count>& b,
@@ -10774,6 +10834,18 @@ UMBRAGE_INLINE inline void add_where(const lanes_of<std::int32_t, Count>& mask, 
 template <int Count>
 UMBRAGE_INLINE inline void keep_where(const lanes_of<std::int32_t, Count>& mask, lanes_of<float, Count>& v) {
     v = reinterpret_cast<lanes_of<float, Count>>(mask & reinterpret_cast<lanes_of<std::int32_t, Count>>(v));
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
+                                         lanes_of<float, Count>& texels) {
+    using bits = lanes_of<std::int32_t, Count>;
+    lanes_of<float, Count> column;
+    count_lanes<float, Count>(column);
+    const lanes_of<float, Count> along = slope * (column + first + 0.5f - x);
+    const lanes_of<float, Count> before = texels - cleared, at = texels - (along + beside);
+    const bits is_cleared = (reinterpret_cast<bits>(before) & 0x7FFFFFFF) < detail::bit_cast<std::int32_t>(0x1p-64f);
+    texels = is_cleared ? texels : at;
 }
 
 template <int Count>
@@ -11080,8 +11152,8 @@ template <int Taps>
 /// @exactness     C: exp
 template <class = detail::on_use>
 [[nodiscard]] blur_kernel make_gaussian_kernel(int taps, float sigma) {
-    if (taps < 1 || taps % 2 == 0 || !(sigma > 0.0f))
-        detail::fail("umbrage::make_gaussian_kernel: taps even or below 1, or sigma not above 0");
+    detail::require(taps >= 1 && taps % 2 == 1, "make_gaussian_kernel", "taps", "odd and above 0", taps);
+    detail::require(sigma > 0.0f, "make_gaussian_kernel", "sigma", "above 0", sigma);
     const auto bell = [s = static_cast<double>(sigma)](int i) { return std::exp(-0.5 * (i / s) * (i / s)); };
     double sum = 1.0;
     for (int i = 1; i <= taps / 2; ++i) sum += 2.0 * bell(i);
@@ -11202,10 +11274,11 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     static_assert(std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
                   std::is_same_v<T, glm::vec4>);
     static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float));
-    if (from.size != to.size) detail::fail("umbrage::blur: sizes differ");
-    if (kernel.weights.empty()) detail::fail("umbrage::blur: no weights");
+    detail::require_size(to.size, from.size, "blur", "to.size", "from's size");
+    detail::require(!kernel.weights.empty(), "blur", "kernel.weights", "one or more", "none",
+                    "Make the kernel by make_gaussian_kernel.");
     if (from.empty()) return;
-    if (from.data == to.data) detail::fail("umbrage::blur: same pixels");
+    detail::require(from.data != to.data, "blur", "to", "an image of its own", "the pixels of from");
     const glm::ivec2 size(from.size.x * channels, from.size.y);
     const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
     const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
@@ -11227,7 +11300,7 @@ void blur(const From& from, To&& to, const blur_kernel& kernel, ParallelFor&& pa
 //
 //     const auto seen = umbrage::measure_depths(camera_depths.view(), umbrage::cleared_depth(clip));
 //     const glm::vec2 range = umbrage::seen_range(seen, z_near, z_far, clip.direction);
-//     auto splits = umbrage::logarithmic_splits<4>(range.x, range.y);
+//     auto splits = umbrage::practical_splits<4>(range.x, range.y, 1.0f);
 //
 
 namespace umbrage {
@@ -11361,10 +11434,10 @@ struct snapped_vertex {
 };
 
 /// @throws std::invalid_argument  a side is negative or above guard_band
-inline void require_drawable(glm::ivec2 size, clip_space clip) {
-    require_given(clip, "rasterize");
-    if (size.x < 0 || size.y < 0) detail::fail("umbrage::rasterize: negative size");
-    if (size.x > guard_band || size.y > guard_band) detail::fail("umbrage::rasterize: image side above 16384 texels");
+inline void require_drawable(glm::ivec2 size, clip_space clip, const char* function) {
+    require_given(clip, function);
+    require(size.x >= 0 && size.y >= 0 && size.x <= guard_band && size.y <= guard_band, function, "size",
+            "from 0 to 16384 texels a side", size);
 }
 
 /// What stands for a vertex outside of planes: off the grid, with their bits.
@@ -11386,9 +11459,9 @@ public:
 
     /// @param world_to_clip  projection * view; its elements must be finite
     /// @throws std::invalid_argument  see require_drawable
-    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
+    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size, const char* function = "rasterize")
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        require_drawable(size, clip);
+        require_drawable(size, clip, function);
     }
 
     [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
@@ -11541,7 +11614,6 @@ namespace umbrage {
 class triangle_weights {
 public:
     /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
-    template <class = detail::on_use>
     triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      unsigned triangle)
         : top_(clip.origin == texture_origin::top ? size.y : 0),
@@ -11559,7 +11631,6 @@ public:
     ///              the weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
     /// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
     /// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
-    template <class = detail::on_use>
     [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
         const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
         const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
@@ -11580,9 +11651,8 @@ private:
 };
 
 /// triangle_weights for a single texel.
-template <class = detail::on_use>
-[[nodiscard]] glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
-                                     clip_space clip, glm::ivec2 texel, unsigned triangle) {
+[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
     return triangle_weights(size, mesh, world_to_clip, clip, triangle)(texel);
 }
 
@@ -11664,7 +11734,6 @@ public:
     /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. With n the bounds' larger side in
     ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
     ///             within 2^-48 n m of the plane through the snapped vertices
-    template <class = on_use>
     void set_up(const texel_bounds& bounds, cull_mode cull) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
             set_up_bounds(bounds);
@@ -12644,7 +12713,7 @@ UMBRAGE_END_STRICT_MATH
 // Instances of a mesh on the grid of an image, a chunk of triangles at a time: their vertices projected and snapped,
 // they themselves clipped and handed out in batches, in the mesh's order or so that threads draw side by side.
 //
-//     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, near_plane::clips);
+//     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, at_near, serial{}, "rasterize");
 //     snapped.for_each_chunk(serial{}, [&] {
 //         snapped.for_each_batch([&](const triangles& batch) { ... });
 //     });
@@ -12661,19 +12730,19 @@ public:
     /// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above guard_band
     template <class ParallelFor>
     snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::mat4> to_clip, clip_space clip,
-                 cull_mode cull, near_plane at_near, ParallelFor&& parallel)
+                 cull_mode cull, near_plane at_near, ParallelFor&& parallel, const char* function)
         : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
-        require_drawable(size, clip);
+        require_drawable(size, clip, function);
         if (mesh.triangles.empty()) return;
-        indices_.resize((mesh.triangles.size() + piece - 1) / piece);
+        const std::size_t count = mesh.triangles.size();
+        indices_.resize((count + piece - 1) / piece);
         in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {
             const glm::uvec3* const triangles = mesh.triangles.data();
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
-                indices_[i] =
-                    indices_of(triangles + i * piece, triangles + lesser((i + 1) * piece, mesh.triangles.size()));
+                indices_[i] = indices_of(triangles + i * piece, triangles + lesser((i + 1) * piece, count));
         });
-        if (indices_from(0, mesh.triangles.size()).highest >= mesh.positions.size())
-            detail::fail("umbrage::rasterize: a triangle's index is out of range");
+        const std::size_t highest = indices_from(0, count).highest;
+        require(highest < mesh.positions.size(), function, "mesh.triangles", "indices of positions", highest);
         if (size.x == 0 || size.y == 0) return;
         for (const glm::mat4& matrix : to_clip)
             if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);
@@ -12943,7 +13012,7 @@ namespace detail {
 template <class ParallelFor>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> to_clip,
                      clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
-    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel);
+    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel, "rasterize_depth");
     if (clip.origin == texture_origin::top && !depth.empty())
         depth = {depth.row(depth.size.y - 1), depth.size, -depth.stride};
     snapped.for_each_chunk(parallel, [&] {
@@ -13000,7 +13069,7 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
     const bool flipped = clip.origin == texture_origin::top;
-    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near, serial{});
+    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near, serial{}, "rasterize");
     snapped.for_each_chunk(serial{}, [&] {
         snapped.for_each_batch([&](const detail::triangles& batch) {
             for (int i = 0; i < batch.count; ++i) {
@@ -13265,9 +13334,9 @@ UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, cons
     if (x == count) return;
     From padded[block]{};
     To result[block];
-    copy(from + x, std::size_t(count - x), padded);
+    for (int i = x; i < count; ++i) padded[i - x] = from[i];
     convert_rest(padded, result);
-    copy(result, std::size_t(count - x), to + x);
+    for (int i = x; i < count; ++i) to[i] = result[i - x];
 }
 template <class From, class To, class Convert>
 UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
@@ -13278,7 +13347,7 @@ template <class Codec, class ParallelFor>
 void encode_rows(image_view<const float> depth, image_view<typename Codec::texel> texels, const Codec& codec,
                  ParallelFor&& parallel) {
     using texel = typename Codec::texel;
-    if (depth.size != texels.size) fail("umbrage::encode: sizes differ");
+    require_size(texels.size, depth.size, "encode", "texels.size", "depth's size");
     if (depth.empty()) return;
     const bool large = past_cache(texels);
     parallel(depth.size.y, [&](int first, int last) {
@@ -13304,7 +13373,7 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
 template <class Codec, class ParallelFor>
 void decode_rows(image_view<const typename Codec::texel> texels, image_view<float> depth, const Codec& codec,
                  ParallelFor&& parallel) {
-    if (depth.size != texels.size) fail("umbrage::decode: sizes differ");
+    require_size(depth.size, texels.size, "decode", "depth.size", "the texels' size");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
         on_isa_of(codec, [&](auto) UMBRAGE_INLINE {
@@ -13408,9 +13477,10 @@ private:
             }
         }
         for (int p = 0; p < 2; ++p) {
-            std::int32_t *const first = planes[p] + (cells - 1), *const end = first + squares.x;
-            fill(planes[p], std::size_t(cells - 1), *first);
-            fill(end, std::size_t(bounds.view.size.x - squares.x), end[-1]);
+            std::int32_t* const row = planes[p];
+            const int first = cells - 1, end = first + squares.x;
+            for (int x = 0; x < first; ++x) row[x] = row[first];
+            for (int x = end; x < first + bounds.view.size.x; ++x) row[x] = row[end - 1];
         }
     }
 
@@ -13478,7 +13548,7 @@ struct reached_texels {
 //
 //     const auto [bounds, place] = umbrage::make_filter_bounds(map.view(), filter.reach());
 //     float lit = umbrage::bounds_lit(umbrage::clamped(bounds), coord, depth - bias, place);
-//     if (lit < 0) lit = filter(umbrage::clamped(map), coord, depth - bias);
+//     if (lit < 0) lit = filter(umbrage::bordered(map), coord, depth - bias);
 //
 
 namespace umbrage {
@@ -13490,28 +13560,30 @@ struct filter_bounds {
 
 /// @param map       depths, any values
 /// @param reach     of the filter, in texels, 0 .. 256
-/// @param border    what counts outside the map, as cleared_depth(direction); none: the nearest texel inside
+/// @param direction of the map's depth
 /// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @param outside   what texels outside the map count as, for the filter as for its bounds
 /// @throws std::invalid_argument  empty map, another reach
 /// @exactness       A: selects, never computes
 template <class ParallelFor = serial>
 [[nodiscard]] filter_bounds make_filter_bounds(image_view<const float> map, float reach,
-                                               std::optional<float> border = {}, ParallelFor&& parallel = {}) {
-    if (map.empty() || !(reach >= 0.0f && reach <= 256.0f))
-        detail::fail("umbrage::make_filter_bounds: empty map, or reach");
+                                               depth_direction direction = depth_direction::forward,
+                                               ParallelFor&& parallel = {},
+                                               outside_map outside = outside_map::bordered) {
+    detail::require(!map.empty(), "make_filter_bounds", "map.size", "above 0", map.size);
+    detail::require(reach >= 0.0f && reach <= 256.0f, "make_filter_bounds", "reach", "from 0 to 256 texels", reach);
     image<float> ringed;
+    const bool border = outside == outside_map::bordered;
     if (border) {
-        ringed = image<float>(map.size + 2, *border);
-        for (int y = 0; y < map.size.y; ++y)
-            detail::copy(map.row(y), std::size_t(map.size.x), ringed.view().row(y + 1) + 1);
+        ringed = image<float>(map.size + 2, cleared_depth(direction));
+        for (int y = 0; y < map.size.y; ++y) std::copy_n(map.row(y), map.size.x, ringed.view().row(y + 1) + 1);
         map = ringed.view();
     }
     const detail::reached_texels reached(reach);
     detail::box_bounds tree(map, reached.count(), parallel);
     const int steps = 256 << tree.level;
     image<glm::vec2> bounds(tree.last + 1);
-    for (int y = 0; y <= tree.last.y; ++y)
-        detail::copy(tree.bounds.view.row(y), std::size_t(bounds.size().x), bounds.view().row(y));
+    for (int y = 0; y <= tree.last.y; ++y) std::copy_n(tree.bounds.view.row(y), bounds.size().x, bounds.view().row(y));
     const int first = reached.before() + (tree.cells - 1) * steps + (border ? 256 : 0);
     return {std::move(bounds), {static_cast<float>(first), 1.0f / static_cast<float>(steps)}};
 }
@@ -13558,24 +13630,58 @@ namespace detail {
 template <real T>
 inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
 
-/// Refuses a box that nobody gave.
+/// Refuses an argument of a function, a struct, by the names of its members: as "camera" and "z_near".
+struct member_check {
+    const char *function, *argument;
+
+    template <class Value>
+    void operator()(bool met, std::string_view member, std::string_view condition, const Value& got) const {
+        if (!met) refuse(function, std::string(argument).append(".").append(member), condition, got);
+    }
+};
+
+/// Refuses a box that is not finite, or whose low is above its high.
+template <real T>
+void require_box(const bounding_box<T>& box, const char* function, const char* argument) {
+    const member_check must{function, argument};
+    must(all_finite(box.low), "low", "finite", box.low);
+    must(all_finite(box.high), "high", "finite", box.high);
+    must(!glm::any(glm::greaterThan(box.low, box.high)), "low", "nowhere above high",
+         glm::mat<2, 3, T>(box.low, box.high));
+}
+
+/// Refuses a box that nobody gave, too.
 template <real T>
 void require_given(const bounding_box<T>& box, const char* function, const char* argument) {
-    require(!glm::all(glm::greaterThan(box.low, box.high)), function, argument,
-            "must be given, with low not above high; got no box");
+    require(!glm::all(glm::greaterThan(box.low, box.high)), function, argument, "given, with low not above high",
+            "no box");
+    require_box(box, function, argument);
+}
+
+/// Refuses a frustum that is none: see its members.
+template <real T>
+void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
+    const member_check must{function, argument};
+    must(is_finite(f.tan_half_x) && f.tan_half_x > T(0), "tan_half_x", "finite and above 0", f.tan_half_x);
+    must(is_finite(f.tan_half_y) && f.tan_half_y > T(0), "tan_half_y", "finite and above 0", f.tan_half_y);
+    must(f.z_near >= T(0), "z_near", "0 or more", f.z_near);
+    must(is_finite(f.z_far) && f.z_near < f.z_far, "z_far", "finite and above z_near", f.z_far);
+    must(all_finite(f.position), "position", "finite", f.position);
+    must(all_finite(f.direction), "direction", "finite", f.direction);
+    must(all_finite(f.up), "up", "finite", f.up);
+    must(f.direction != glm::vec<3, T>(0), "direction", "of a length above 0", f.direction);
 }
 
 }  // namespace detail
 
 using eight_corners = std::array<glm::dvec3, 8>;
 
-/// Corners in the order of their numbers' bits: x, y, z high.
-/// @throws std::invalid_argument  bounds not finite or empty, which is low above high
+namespace detail {
+
+/// corners in the name of another function.
 template <real T>
-[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
-    detail::require(detail::all_finite(box.low) && detail::all_finite(box.high), "bounding_box", "low and high",
-                    "must be finite");
-    detail::require(!glm::any(glm::greaterThan(box.low, box.high)), "bounding_box", "low", "must not be above high");
+[[nodiscard]] eight_corners corners_for(const char* function, const bounding_box<T>& box) {
+    require_box(box, function, "box");
     const glm::dvec3 low(box.low), high(box.high);
     eight_corners all;
     for (std::size_t i = 0; i < 8; ++i)
@@ -13583,16 +13689,10 @@ template <real T>
     return all;
 }
 
-namespace detail {
-
 /// A frustum's directions as columns: to the side, up, along.
 template <real T>
-[[nodiscard]] glm::dmat3 axes(const frustum<T>& f) {
-    constexpr auto function = "frustum";
-    require(is_finite(f.tan_half_x) && f.tan_half_x > T(0), function, "tan_half_x", "must be finite and above 0");
-    require(is_finite(f.tan_half_y) && f.tan_half_y > T(0), function, "tan_half_y", "must be finite and above 0");
-    require(f.z_near >= T(0), function, "z_near", "must not be below 0");
-    require(is_finite(f.z_far) && f.z_near < f.z_far, function, "z_far", "must be finite and above z_near");
+[[nodiscard]] glm::dmat3 axes(const frustum<T>& f, const char* function, const char* argument = "frustum") {
+    require_frustum(f, function, argument);
     const auto view = look_along(glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up), handedness::right,
                                  function, "position");
     return {{view[0][0], view[1][0], view[2][0]},
@@ -13600,13 +13700,9 @@ template <real T>
             {-view[0][2], -view[1][2], -view[2][2]}};
 }
 
-}  // namespace detail
-
-/// Corners in the order of their numbers' bits: right, up, far.
-/// @throws std::invalid_argument  a frustum that is none: see its members
 template <real T>
-[[nodiscard]] eight_corners corners(const frustum<T>& f) {
-    const glm::dmat3 axes = detail::axes(f);
+[[nodiscard]] eight_corners corners_for(const char* function, const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f, function);
     eight_corners all;
     for (std::size_t i = 0; i < 8; ++i) {
         const double z(i & 4 ? f.z_far : f.z_near), x = (i & 1 ? z : -z) * double(f.tan_half_x);
@@ -13615,13 +13711,29 @@ template <real T>
     return all;
 }
 
+}  // namespace detail
+
+/// Corners in the order of their numbers' bits: x, y, z high.
+/// @throws std::invalid_argument  bounds not finite or empty, which is low above high
+template <real T>
+[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
+    return detail::corners_for("corners", box);
+}
+
+/// Corners in the order of their numbers' bits: right, up, far.
+/// @throws std::invalid_argument  a frustum that is none: see its members
+template <real T>
+[[nodiscard]] eight_corners corners(const frustum<T>& f) {
+    return detail::corners_for("corners", f);
+}
+
 /// The smallest sphere around a frustum. Its radius comes of planes and angles alone: it keeps its bits however the
 /// camera turns and moves.
 /// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2
 /// @throws std::invalid_argument  a frustum that is none
 template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
-    const glm::dmat3 axes = detail::axes(f);
+    const glm::dmat3 axes = detail::axes(f, "sphere_around");
     const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
     const double center = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - center;
     return {glm::dvec3(f.position) + axes[2] * center, std::sqrt(beyond * beyond + z_far * z_far * t)};
@@ -13657,23 +13769,23 @@ public:
     template <real T>
     convex_body(const bounding_box<T>& box) {
         const glm::dvec3 low(box.low), high(box.high);
-        add_faces(umbrage::corners(box), {{{1, 0, 0, -low.x},
-                                           {-1, 0, 0, high.x},
-                                           {0, 1, 0, -low.y},
-                                           {0, -1, 0, high.y},
-                                           {0, 0, 1, -low.z},
-                                           {0, 0, -1, high.z}}});
+        add_faces(corners_for("polyhedron", box), {{{1, 0, 0, -low.x},
+                                                    {-1, 0, 0, high.x},
+                                                    {0, 1, 0, -low.y},
+                                                    {0, -1, 0, high.y},
+                                                    {0, 0, 1, -low.z},
+                                                    {0, 0, -1, high.z}}});
     }
 
     template <real T>
     convex_body(const frustum<T>& f) {
-        const glm::dmat3 axes = detail::axes(f);
+        const glm::dmat3 axes = detail::axes(f, "polyhedron");
         const double x(f.tan_half_x), y(f.tan_half_y);
         const auto plane = [&](glm::dvec3 normal, double offset) {
             const glm::dvec3 n = axes * normal;
             return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
         };
-        add_faces(umbrage::corners(f),
+        add_faces(corners_for("polyhedron", f),
                   {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
                    plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
     }
@@ -13736,9 +13848,9 @@ struct rounded_hull {
     template <real T>
     rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(s.radius) {}
     template <real T>
-    rounded_hull(const bounding_box<T>& box) : rounded_hull(umbrage::corners(box)) {}
+    rounded_hull(const bounding_box<T>& box) : rounded_hull(corners_for("hull", box)) {}
     template <real T>
-    rounded_hull(const frustum<T>& f) : rounded_hull(umbrage::corners(f)) {}
+    rounded_hull(const frustum<T>& f) : rounded_hull(corners_for("hull", f)) {}
     rounded_hull(const eight_corners& c) : points(c.begin(), c.end()) {}
     rounded_hull(const convex_body<Use>& p) {
         for (const auto& face : p.faces()) points.insert(points.end(), face.corners.begin(), face.corners.end());
@@ -13850,13 +13962,11 @@ template <class Bounds>
 }  // namespace umbrage
 
 // ---- umbrage/images/quality.hpp
-// How good a light's set-up is for a view: pixels that a texel's longer axis covers, 1 or less where the map resolves
-// what the screen does. As an image, and in five numbers.
+// How good a light's setup is for a view: pixels that a texel's longer axis covers, 1 or less where the map resolves
+// what the screen does.
 //
-//     auto report = umbrage::measure_quality({.screen = size, .map_size = {2048, 2048}}, [&](glm::ivec2 pixel) {
-//         return umbrage::pixels_per_texel(to_texels, to_pixels, position[pixel], normal[pixel]);
-//     });
-//     std::printf("mean %.2f, 95 of 100 below %.2f, greatest %.2f\n", report.mean, report.p95, report.greatest);
+//     const glm::mat4 to_texels = umbrage::texture_matrix(light, map_size);
+//     float pixels = umbrage::longest_extent(umbrage::pixels_per_texel(to_texels, to_pixels, position, normal));
 //
 
 namespace umbrage {
@@ -13893,70 +14003,6 @@ template <real T>
     const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
     // t +- 2 det as sums of squares, of which no difference loses digits
     return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
-}
-
-/// A set-up in numbers, over all pixels that were measured.
-struct quality_report {
-    double mean = 0, p95 = 0, greatest = 0;  ///< of longest_extent, pixels
-    double storage_factor = 0;               ///< texels over pixels, of maps that would resolve all of the screen
-    std::size_t measured = 0, skipped = 0;   ///< pixels; skipped: of surfaces parallel to the light
-};
-
-/// What a set-up is measured over.
-struct measured_view {
-    glm::ivec2 screen{1};    ///< pixels, each >= 1
-    glm::ivec2 map_size{1};  ///< texels of a map, each >= 1
-    int maps = 1;            ///< how many of them there are: cascades
-    int step = 1;            ///< from pixel to pixel, >= 1
-};
-
-/// Measures a set-up over a view.
-///
-/// @param at        (glm::ivec2 pixel) -> pixels_per_texel of the map that the pixel looks into, float or double; of
-///                  zeros where there is nothing to see
-/// @param extents   gets longest_extent of each pixel measured, 0 where there was nothing to measure; empty, or of the
-///                  screen's size over the step, rounded up
-/// @throws std::invalid_argument  sizes and counts below 1, extents of another size
-/// @formula         storage_factor = maps (width max |dp/dx|) (height max |dp/dy|) / pixels, dp/dx and dp/dy columns
-/// @cite            Lloyd, Govindaraju, Quammen, Molnar, Manocha: Practical Logarithmic Rasterization for Low-Error
-///                  Shadow Maps, Graphics Hardware 2007
-template <class At>
-[[nodiscard]] quality_report measure_quality(const measured_view& view, At&& at, image_view<float> extents = {}) {
-    constexpr auto function = "measure_quality";
-    const auto [screen, map_size, maps, step] = view;
-    detail::require(screen.x >= 1 && screen.y >= 1, function, "screen", "must be above 0");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
-    detail::require(maps >= 1, function, "maps", "must be above 0");
-    detail::require(step >= 1, function, "step", "must be above 0");
-    const glm::ivec2 size((screen.x - 1) / step + 1, (screen.y - 1) / step + 1);
-    const bool draws = extents.size != glm::ivec2(0);
-    detail::require(!draws || extents.size == size, function, "extents", "must have the screen's size over the step");
-    quality_report report;
-    std::vector<double> all;
-    glm::dvec2 longest(0);
-    double sum = 0;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-            const glm::dmat2 pixels(at(glm::ivec2(x, y) * step));
-            if (draws) extents[{x, y}] = 0.0f;
-            if (pixels == glm::dmat2(0)) continue;
-            const double extent = longest_extent(pixels);
-            if (!is_finite(extent)) {
-                ++report.skipped;
-                continue;
-            }
-            if (draws) extents[{x, y}] = static_cast<float>(extent);
-            all.push_back(extent);
-            sum += extent;
-            longest = detail::greater(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
-        }
-    report.measured = all.size();
-    if (all.empty()) return report;
-    report.mean = sum / double(all.size());
-    report.greatest = detail::ranked(all, all.size() - 1);
-    report.p95 = detail::ranked(all, static_cast<std::size_t>(double(all.size() - 1) * 0.95));
-    report.storage_factor = maps * (map_size.x * longest.x) * (map_size.y * longest.y) / (double(screen.x) * screen.y);
-    return report;
 }
 
 }  // namespace umbrage
@@ -14004,10 +14050,10 @@ template <real T>
 [[nodiscard]] light_choice choose_light(std::span<const light_space<T>> lights, std::span<const seen_point> seen,
                                         const choice_terms& terms, std::size_t before = 0) {
     constexpr auto function = "choose_light";
-    detail::require(!lights.empty(), function, "lights", "must not be empty");
-    detail::require(before < lights.size(), function, "before", "must be one of the lights");
-    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "must lie between 0 and 1");
-    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "must be finite");
+    detail::require(!lights.empty(), function, "lights", "one light or more", lights.size());
+    detail::require(before < lights.size(), function, "before", "the index of one of the lights", before);
+    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "from 0 to 1", terms.better);
+    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "finite", terms.to_pixels);
     light_choice choice{before, {}};
     for (const light_space<T>& light : lights) {
         const glm::dmat4 to_texels =
@@ -14023,7 +14069,9 @@ template <real T>
         }
         choice.p95.push_back(0);
         if (extents.empty()) continue;
-        choice.p95.back() = detail::ranked(extents, static_cast<std::size_t>(double(extents.size() - 1) * 0.95));
+        const auto p95 = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
+        std::nth_element(extents.begin(), p95, extents.end());
+        choice.p95.back() = *p95;
     }
     std::size_t best = 0;
     for (std::size_t i = 1; i < lights.size(); ++i)
@@ -14034,572 +14082,14 @@ template <real T>
 
 }  // namespace umbrage
 
-// ---- umbrage/images/min_max.hpp
-// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
-//
-//     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
-//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
-//
-
-namespace umbrage {
-
-/// One level: an element for each square, those at the far borders cut off by them.
-struct depth_bounds {
-    image<float> least;     ///< NaN where a texel is NaN
-    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
-};
-
-namespace detail {
-
-/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
-template <class ParallelFor>
-void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
-    const glm::ivec2 size = to.least.size();
-    parallel(size.y, [&](int first, int last) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
-            const bool both = least.data != greatest.data;
-            alignas(64) std::int32_t keys[4][block];
-            alignas(64) float ends[2][2 * block];
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < size.x; x += block) {
-                    const int count = size.x - x < block ? size.x - x : block;
-                    const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
-                        const float* low = from.row(2 * y) + 2 * x;
-                        const float* high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
-                        if (const int there = from.size.x - 2 * x; there < 2 * block) {
-                            for (int i = 0; i < 2 * block; ++i) {
-                                const int k = i < there ? i : there - 1;
-                                ends[0][i] = low[k];
-                                ends[1][i] = high[k];
-                            }
-                            low = ends[0];
-                            high = ends[1];
-                        }
-                        for (int i = 0; i < block; ++i) {
-                            keys[0][i] = order_key(low[2 * i]);
-                            keys[1][i] = order_key(low[2 * i + 1]);
-                            keys[2][i] = order_key(high[2 * i]);
-                            keys[3][i] = order_key(high[2 * i + 1]);
-                        }
-                    };
-                    const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
-                        alignas(64) float depths[block];
-                        for (int i = 0; i < block; ++i)
-                            depths[i] =
-                                from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
-                        copy_floats(result + x, depths, count);
-                    };
-                    load(least);
-                    store(least_of{}, to.least.view().row(y));
-                    if (both) load(greatest);
-                    store(greatest_of{}, to.greatest.view().row(y));
-                }
-        });
-    });
-}
-
-}  // namespace detail
-
-/// @param map       depths, any values
-/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
-/// @param parallel  cuts the rows into pieces, see parallel.hpp
-/// @return          as many levels; a level of a single element is followed by more of them
-/// @throws std::invalid_argument  empty map, or negative levels
-/// @exactness       A: selects, never computes
-template <class ParallelFor = serial>
-[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
-                                                             ParallelFor&& parallel = {}) {
-    if (map.empty() || levels < 0) detail::fail("umbrage::make_min_max_pyramid: empty map or negative levels");
-    std::vector<depth_bounds> pyramid;
-    for (int level = 0; level < levels; ++level) {
-        const image_view<const float> least = level ? pyramid.back().least.view() : map;
-        const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
-        const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
-        depth_bounds next{image<float>(size), image<float>(size)};
-        detail::halve(least, greatest, next, parallel);
-        pyramid.push_back(std::move(next));
-    }
-    return pyramid;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/simd/sum_row.hpp
-// Running sums along a row of an image, and down to a row of its summed-area table.
-//
-//     band_sums<Sum> band(length, values.data, sums.data);
-//     Sum end = sum_row<streams, sum_lanes<Sum, Set>>(from, next_row, before, band.base, band.line, to, count);
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Floats are always added in fours, in the order that summed_area states; integers in any.
-template <class T, isa Set>
-inline constexpr int sum_lanes = std::is_integral_v<T>&& Set != isa::base ? running_sum_lanes : 4;
-
-/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has
-/// the same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table.
-/// The worst placement was measured to be five times as slow.
-template <class Sum>
-class band_sums {
-public:
-    band_sums(std::size_t length, const void* from, const void* to) : memory_(2 * length + 2 * page / sizeof(Sum)) {
-        const std::size_t a = last_bits(from), b = last_bits(to), ahead = (b - a) % page, behind = page - ahead;
-        base = place(memory_.data(), ahead > behind ? a + ahead / 3 : b + behind / 3);
-        line = place(base + length, ahead > behind ? a + 2 * ahead / 3 : b + 2 * behind / 3);
-    }
-    band_sums(const band_sums&) = delete;
-    band_sums& operator=(const band_sums&) = delete;
-
-private:
-    static constexpr std::size_t page = 4096;
-    static std::size_t last_bits(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; }
-    static Sum* place(Sum* from, std::size_t wanted) {
-        return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum);
-    }
-
-    std::vector<Sum> memory_;
-
-public:
-    Sum *base, *line;
-};
-
-/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`, or of
-/// integers `line` itself, which then holds all that is above.
-/// @param before     sum of the row's texels to the left
-/// @param next_row   comes after `from`
-/// @return           `before` and all texels, of whole blocks
-template <bool Streams, int Lanes, class From, class Sum>
-UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum before, const Sum* base, Sum* line,
-                                  Sum* to, int count) {
-    using few = lanes_of<Sum, Lanes>;
-    constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
-    constexpr int step = by_bytes ? 2 * Lanes : Lanes;
-    few carry;
-    for (int i = 0; i < Lanes; ++i) carry[i] = before;
-    const auto add_few = [&](auto streams, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
-        few sums, there;
-        load_lanes(lines, there);
-        sums = (carry + together) + there;
-        all_last<Lanes>(together);
-        carry = carry + together;
-        store_lanes(sums, lines);
-        if constexpr (!std::is_integral_v<Sum>) {
-            load_lanes(under, there);
-            sums = sums + there;
-        }
-        if constexpr (decltype(streams)::value) stream<sizeof sums>(out, &sums);
-        else store_lanes(sums, out);
-    };
-    const auto sum_some = [&](auto streams, const auto* values, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
-        few together;
-        if constexpr (by_bytes) {
-            few next;
-            running_sums_of_bytes(values, together, next);
-            add_few(streams, together, under, lines, out);
-            add_few(streams, next, under + Lanes, lines + Lanes, out + Lanes);
-        } else {
-            load_lanes(values, together);
-            running_sum<Lanes>(together);
-            add_few(streams, together, under, lines, out);
-        }
-    };
-    constexpr std::bool_constant<Streams> as_asked{};
-    if constexpr (Streams) prefetch_rest(to, count, step);
-    // Measured: the hardware prefetcher comes too late.
-    const auto prefetch = [&](int first) UMBRAGE_INLINE {
-        const int ahead = lesser(1536 / static_cast<int>(sizeof(From)), count), x = first + ahead;
-        prefetch_bytes(x < count ? from + x : next_row + (x - count), 0, block * static_cast<int>(sizeof(From)));
-    };
-    int x = 0;
-    if constexpr (by_bytes) {
-        for (; x + step <= count; x += step) {
-            if (x % block == 0) prefetch(x);
-            sum_some(as_asked, from + x, base + x, line + x, to + x);
-        }
-    } else {
-        // This block and the next, which is loaded before the stores that its loads could alias with.
-        alignas(64) Sum values[2][block];
-        const auto load = [&](int first) UMBRAGE_INLINE {
-            prefetch(first);
-            for (int i = 0; i < block; ++i) values[first / block % 2][i] = from[first + i];
-        };
-        if (block <= count) load(0);
-        for (; x + block <= count; x += block) {
-            if (x + 2 * block <= count) load(x + block);
-            const Sum* const now = values[x / block % 2];
-            for (int i = 0; i < block; i += step) sum_some(as_asked, now + i, base + x + i, line + x + i, to + x + i);
-        }
-    }
-    for (; x < count; x += step) {  // base and line are padded
-        const int there = count - x < step ? count - x : step;
-        std::conditional_t<by_bytes, From, Sum> rest[std::size_t(step)]{};
-        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(step)];
-        for (int i = 0; i < there; ++i) rest[i] = from[x + i];
-        if (there == step) {
-            sum_some(as_asked, rest, base + x, line + x, to + x);
-        } else {
-            sum_some(std::false_type{}, rest, base + x, line + x, result);
-            copy(result, std::size_t(there), to + x);
-        }
-    }
-    return carry[0];
-}
-
-/// What sum_row returns, of whole blocks.
-template <int Lanes, class From, class Sum>
-UMBRAGE_INLINE inline Sum sum_of_row(const From* from, Sum before, int count) {
-    lanes_of<Sum, Lanes> carry, few;
-    for (int i = 0; i < Lanes; ++i) carry[i] = std::is_integral_v<Sum> ? Sum(0) : before;
-    for (int x = 0; x < count; x += block) {
-        alignas(64) Sum values[block];
-        for (int i = 0; i < block; ++i) values[i] = from[x + i];
-        for (int i = 0; i < block; i += Lanes) {
-            load_lanes(values + i, few);
-            if constexpr (!std::is_integral_v<Sum>) running_sum<Lanes>(few), all_last<Lanes>(few);
-            carry = carry + few;
-        }
-    }
-    if constexpr (!std::is_integral_v<Sum>) return carry[0];
-    running_sum<Lanes>(carry);
-    return before + carry[Lanes - 1];
-}
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/summed_area.hpp
-// Summed-area tables: the sum over any rectangle of an image from four texels.
-//
-//     umbrage::image<std::uint32_t> sums(values.size());
-//     umbrage::summed_area(values, sums);
-//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
-//
-// Prefer integers: quantize depths or moments first. Their tables are exact, whatever the order; a table of floats
-// loses bits as it grows, and its differences lose more.
-
-UMBRAGE_STRICT_MATH
-namespace umbrage {
-namespace detail {
-
-/// Rows of a table that are summed from zero, then put on top of what is before them.
-inline constexpr int band_rows = 64;
-
-/// Columns of the strips that threads take: whole blocks, alike wide, two strips or more where there are two blocks.
-/// Each row of a strip lies on a page of its own, so that narrow ones are slower.
-[[nodiscard]] inline int columns_a_strip(int width) {
-    constexpr int widest = 1024;
-    const int strips = greater(2, (width + widest - 1) / widest);
-    return ((width + strips - 1) / strips + block - 1) / block * block;
-}
-
-/// Rows of a strip, of one band. `line` holds the sums of what is above them in the band, and then down to there.
-/// @param before   of each row, the sum of all to the left of the strip, and then up to its end
-template <class From, class Sum>
-void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large, Sum* before, const Sum* base,
-              Sum* line) {
-    const glm::ivec2 size = sums.size;
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
-        for (int y = 0; y < size.y; ++y) {
-            const int y_next = lesser(y + 1, size.y - 1);
-            const From *from = values.row(y), *next_row = values.row(y_next);
-            Sum* to = sums.row(y);
-            prefetch_line(sums.row(y_next));  // for its page's address: stores would wait for that
-            if (is_large && streams_to(to))
-                before[y] = sum_row<true, lanes>(from, next_row, before[y], base, line, to, size.x);
-            else before[y] = sum_row<false, lanes>(from, next_row, before[y], base, line, to, size.x);
-        }
-    });
-    if (is_large) finish_streaming();
-}
-
-/// The sums of each row up to where strips begin. Whoever has summed a strip gives them to who has the next one. Pieces
-/// run when and where a scheduler likes, so that none may wait for another: what is not there yet is added up again.
-template <class From, class Sum>
-class strip_starts {
-public:
-    strip_starts(image_view<const From> values, int strips, int columns)
-        : values_(values),
-          columns_(columns),
-          sums_(static_cast<std::size_t>(strips + 1) * static_cast<std::size_t>(values.size.y)),
-          rows_(static_cast<std::size_t>(strips + 1)) {
-        rows_[0] = values.size.y;
-    }
-
-    /// Of rows first <= y < last.
-    void take(int strip, int first, int last, Sum* sums) const {
-        int known = strip;
-        while (load_acquire(rows_[std::size_t(known)]) < last) --known;
-        copy(sums_.data() + place_of(known, first), std::size_t(last - first), sums);
-        const int left = known * columns_, width = strip * columns_ - left;
-        on_best_isa([&](auto set) UMBRAGE_INLINE {
-            constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
-            for (int y = first; y < last; ++y, ++sums) *sums = sum_of_row<lanes>(values_.row(y) + left, *sums, width);
-        });
-    }
-    /// The same, after those of the rows before.
-    void give(int strip, int first, int last, const Sum* sums) {
-        copy(sums, std::size_t(last - first), sums_.data() + place_of(strip, first));
-        store_release(last, rows_[std::size_t(strip)]);
-    }
-
-private:
-    [[nodiscard]] std::size_t place_of(int strip, int y) const {
-        return static_cast<std::size_t>(strip) * static_cast<std::size_t>(values_.size.y) + static_cast<std::size_t>(y);
-    }
-
-    image_view<const From> values_;
-    int columns_;
-    std::vector<Sum> sums_;  // strip by strip, and one behind the last
-    std::vector<int> rows_;  // whose sums are there, set by one thread while others look
-};
-
-}  // namespace detail
-
-/// Each texel: the sum of all in its row and the rows before, up to and including its column.
-///
-/// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
-/// @param sums      same size, other pixels
-/// @param parallel  cuts strips of up to 1024 columns into pieces, see parallel.hpp; best in their order, one after the
-///                  other or side by side: others read some of the image twice or more
-/// @throws std::invalid_argument  sizes differ
-/// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
-///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
-///              to that the texel above, in bands of 64 rows; to that the last row of the bands before, added up
-///              downwards
-template <class From, class Sum, class ParallelFor = serial>
-void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
-    using value = std::remove_const_t<From>;
-    static_assert(std::is_same_v<Sum, float> ? std::is_same_v<value, float>
-                                             : std::is_same_v<Sum, std::uint32_t> && std::is_unsigned_v<value> &&
-                                                   sizeof(value) <= sizeof(Sum));
-    if (values.size != sums.size) detail::fail("umbrage::summed_area: sizes differ");
-    if (values.empty()) return;
-    constexpr bool in_one = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
-    const glm::ivec2 size = sums.size;
-    const int columns = in_one ? size.x : detail::columns_a_strip(size.x), strips = (size.x + columns - 1) / columns;
-    const bool is_large = detail::past_cache(sums);
-    detail::strip_starts<value, Sum> starts(values, strips, columns);
-    parallel(strips, [&](int first, int last) {
-        const int left = first * columns, width = detail::lesser(last * columns, size.x) - left;
-        const auto length = (static_cast<std::size_t>(width) + 15) / 16 * 16;
-        detail::band_sums<Sum> band(length, values.data + left, sums.data + left);
-        for (int y = 0; y < size.y; y += detail::band_rows) {
-            const int end = detail::lesser(y + detail::band_rows, size.y);
-            const auto part = [=](const auto& image) { return image.region({left, y}, {width, end - y}); };
-            Sum before[detail::band_rows];
-            starts.take(first, y, end, before);
-            detail::sum_rows<value, Sum>(part(values), part(sums), is_large, before, band.base, band.line);
-            starts.give(last, y, end, before);
-            if constexpr (std::is_integral_v<Sum>) continue;
-            for (std::size_t i = 0; i < length; ++i) band.base[i] = band.line[i] + band.base[i];
-            detail::fill(band.line, length, Sum(0));
-        }
-    });
-}
-
-/// The same where one of the two is an image.
-template <class From, class Sums, class ParallelFor = serial>
-requires detail::some_image<From, Sums>
-void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
-    summed_area(detail::view_of(values), detail::view_of(sums), parallel);
-}
-
-/// Sum over a rectangle of the image that a table was made of.
-///
-/// @param sums     a table from summed_area
-/// @param first    lowest column and row
-/// @param last     highest column and row, they count too
-/// @return         what lies outside the image counts as 0, as does a rectangle with last < first
-/// @formula        S(last) - S(first.x - 1, last.y) - S(last.x, first.y - 1) + S(first - 1)
-/// @exactness      uint32_t A: exact while the rectangle's area times the greatest value < 2^32, even where sums of the
-///                 table have wrapped around. float B
-template <class T>
-[[nodiscard]] std::remove_const_t<T> box_sum(image_view<T> sums, glm::ivec2 first, glm::ivec2 last) {
-    const int left = first.x > 0 ? first.x : 0, right = last.x < sums.size.x ? last.x : sums.size.x - 1;
-    const int low = first.y > 0 ? first.y : 0, high = last.y < sums.size.y ? last.y : sums.size.y - 1;
-    if (left > right || low > high) return 0;
-    const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
-    return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
-}
-template <class T>
-[[nodiscard]] T box_sum(const image<T>& sums, glm::ivec2 first, glm::ivec2 last) {
-    return box_sum(sums.view(), first, last);
-}
-
-}  // namespace umbrage
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/moment_table.hpp
-// Summed-area tables of a shadow map's four moments, and visibility of whole images from them.
-//
-//     umbrage::moment_table of{.radius = 16};
-//     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, of);
-//     umbrage::summed_visibility(table, of, receivers, 16, out);
-//
-// A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
-
-namespace umbrage {
-
-/// What a table is made for.
-struct moment_table {
-    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
-    glm::vec2 bias = msm_bias_16;
-    depth_direction direction = depth_direction::forward;
-};
-
-/// Sums of a map's moments for summed_moments.
-///
-/// @param map         depths; NaN counts as far
-/// @param of          the largest box, n texels of it within the map
-/// @return            two halves, each with one column and row more than the map: sums of 65535
-///                    to_optimized_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16,
-///                    and over 2^16
-/// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
-template <class ParallelFor = serial>
-[[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
-                                                    ParallelFor&& parallel = {}) {
-    if (map.empty()) detail::fail("umbrage::make_moment_table: empty map");
-    if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_moment_table: radius out of range");
-    const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
-    const std::int64_t n =
-        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
-    if (n > 65537) detail::fail("umbrage::make_moment_table: sums in a box of that radius may reach 2^32");
-
-    image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
-    const float cleared = cleared_depth(of.direction);
-    parallel(map.size.y, [&](int first, int last) {
-        for (int y = first; y < last; ++y)
-            for (int x = 0; x < map.size.x; ++x)
-                codes[{x, y}] =
-                    glm::u16vec4(to_optimized_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
-    });
-    image<std::uint32_t> channel(map.size), sums(map.size);
-    for (glm::length_t c = 0; c < 4; ++c) {
-        for (int y = 0; y < map.size.y; ++y)
-            for (int x = 0; x < map.size.x; ++x) channel[{x, y}] = codes[{x, y}][c];
-        summed_area(channel, sums, parallel);
-        for (int y = 0; y < map.size.y; ++y)
-            for (int x = 0; x < map.size.x; ++x) {
-                const std::uint32_t sum = sums[{x, y}];
-                table[{x + 1, y + 1}][c] = static_cast<std::uint16_t>(sum & 0xFFFF);
-                table[{map.size.x + x + 2, y + 1}][c] = static_cast<std::uint16_t>(sum >> 16);
-            }
-    }
-    return table;
-}
-
-/// summed_moments of each receiver.
-/// @param table, of   from make_moment_table
-/// @param receivers   (x, y) in texels of the map, z depth, biased
-/// @param radius      of the box, at most the table's
-/// @param out         visibility, 1 lit; same size as receivers
-/// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
-template <class ParallelFor = serial>
-void summed_visibility(image_view<const glm::u16vec4> table, const moment_table& of,
-                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
-                       ParallelFor&& parallel = {}) {
-    if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
-    if (table.size.x < 4 || table.size.x % 2 || table.size.y < 2)
-        detail::fail("umbrage::summed_visibility: the table is not one of make_moment_table");
-    if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
-    const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
-    const auto reach = static_cast<float>(radius), cleared = cleared_depth(of.direction);
-    parallel(out.size.y, [&](int first, int last) {
-        for (int y = first; y < last; ++y)
-            for (int x = 0; x < out.size.x; ++x) {
-                const glm::vec3 r = receivers.row(y)[x];
-                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, cleared);
-            }
-    });
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/overlay.hpp
-// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
-//
-//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
-//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
-//         return umbrage::false_color(s(depth));
-//     });
-//
-
-namespace umbrage {
-
-/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
-struct contrast_stretch {
-    float low = 0.0f, high = 1.0f;
-
-    [[nodiscard]] float operator()(float v) const {
-        if (is_nan(v) || v >= high) return 1.0f;
-        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
-    }
-};
-
-/// The range that a map's depths fill, without the texels that nothing was drawn to.
-///
-/// @param cleared   texels of this value are left out, as are NaN and the infinities
-/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
-/// @return      0..1 when no texel is left
-/// @throws std::invalid_argument  outliers out of range
-template <class = detail::on_use>
-[[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
-    if (!(outliers >= 0.0 && outliers < 0.5)) detail::fail("umbrage::stretch: outliers not in [0, 1/2)");
-    std::vector<float> depths;
-    for (int y = 0; y < map.size.y && !map.empty(); ++y)
-        for (int x = 0; x < map.size.x; ++x)
-            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
-    if (depths.empty()) return {};
-    const auto given_up = static_cast<std::size_t>(outliers * static_cast<double>(depths.size()));
-    return {detail::ranked(depths, given_up), detail::ranked(depths, depths.size() - 1 - given_up)};
-}
-
-/// Where an overlay goes: the top left corner, as people see it.
-struct overlay_placement {
-    glm::ivec2 size{0, 0};                                ///< in texels of the picture; a zero takes the map's own side
-    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
-    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
-};
-
-/// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
-/// What does not fit is cut off.
-///
-/// @param color   float -> color, given the map's texels as they are: a float is a gray, a vec3 red, green and blue,
-///                all in [0, 1]
-/// @throws std::invalid_argument  negative size
-template <class Color>
-void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
-             Color&& color) {
-    if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
-    if (map.empty()) return;
-    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
-    const auto nearest = [](int i, double count, double from) {
-        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
-    };
-    const auto row_from_top = [](int y, int count, texture_origin origin) {
-        return origin == texture_origin::top ? y : count - 1 - y;
-    };
-    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
-        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
-        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
-        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
-            out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
-    }
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/images/blocks/form.hpp
 // The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
 // none is called receiver by receiver.
 //
 // A form states what it needs of a map and the smallest width and height that it can take; with_blocks() hands its
 // blocks to `use`. Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs
-// floats, it gets const float_texels&. A form clamps texels to the map's edge; outside_map::lit is for visibility() to
-// see to, which asks the filter's reach().
+// floats, it gets const float_texels&. A form clamps texels to the map's edge; visibility() filters again what may
+// lie outside a bordered map, by the filter's reach().
 //
 // Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
 // where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
@@ -14906,7 +14396,7 @@ template <class = detail::on_use>
 [[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
                                         glm::ivec2 size, clip_space clip) {
     detail::require_given(clip, "receiver_matrix");
-    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
+    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "above 0", size);
     const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     glm::dmat4 to_clip(1.0);
     to_clip[0][0] = 2.0 / size.x;
@@ -14918,7 +14408,7 @@ template <class = detail::on_use>
     }
     const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
     detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
-                    "must give a finite matrix");
+                    "such that their product is finite", m);
     return m;
 }
 
@@ -14934,11 +14424,13 @@ template <class = detail::on_use>
 
 namespace detail {
 
-[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
-    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
-        fail("umbrage::visibility: sizes differ");
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers, const char*) {
+    return receivers.size;
+}
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers, const char*) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers, const char* function) {
+    require_size(receivers.x.size, receivers.depth.size, function, "receivers.x.size", "the depths' size");
+    require_size(receivers.y.size, receivers.depth.size, function, "receivers.y.size", "the depths' size");
     return receivers.depth.size;
 }
 
@@ -14985,6 +14477,41 @@ struct receiver_block {
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
     }
+};
+
+/// Asks blocks whether all their receivers lie in a rectangle of the map.
+class receiver_rectangle {
+public:
+    receiver_rectangle(glm::vec2 low, glm::vec2 high) {
+        constexpr float greatest = std::numeric_limits<float>::max();
+        for (int i = 0; i < period; ++i) {
+            low_[i] = i % 3 == 0 ? low.x : i % 3 == 1 ? low.y : -greatest;
+            high_[i] = i % 3 == 0 ? high.x : i % 3 == 1 ? high.y : greatest;
+        }
+    }
+
+    template <class Receivers>
+    [[nodiscard]] UMBRAGE_INLINE bool holds(const Receivers& r) const {
+        std::int32_t inside = 1;
+        for (int i = 0; i < block; ++i)
+            inside &= std::int32_t(r.x(i) >= low_[0]) & std::int32_t(r.x(i) <= high_[0]) &
+                      std::int32_t(r.y(i) >= low_[1]) & std::int32_t(r.y(i) <= high_[1]);
+        return inside != 0;
+    }
+    /// As they lie in memory, depths among them: to take them apart costs as much as a whole hard test. Where a depth
+    /// is no finite number, the answer may be that they do not.
+    [[nodiscard]] UMBRAGE_INLINE bool holds(const receiver_texels& r) const {
+        const auto* const values = reinterpret_cast<const float*>(r.first);
+        std::int32_t inside = 1;
+        for (int first = 0; first < 3 * block; first += period)
+            for (int i = 0; i < period; ++i)
+                inside &= std::int32_t(values[first + i] >= low_[i]) & std::int32_t(values[first + i] <= high_[i]);
+        return inside != 0;
+    }
+
+private:
+    static constexpr int period = 48;  // of three values and of sixteen lanes
+    alignas(64) float low_[period], high_[period];
 };
 
 /// A walk over the blocks of some rows: tile by tile, each of so many rows, from the first up to `last`.
@@ -15285,6 +14812,92 @@ struct block_form<filters::box> {
 
 }  // namespace umbrage::detail
 
+// ---- umbrage/images/blocks/planes.hpp
+// Blocks of receivers that are compared along their own planes: each texel that a form has loaded is moved as
+// apply_receiver_plane moves it. A form that takes planes has rows_on_planes() move the registers that it loads, or
+// move_texels() a texel of each receiver; where receivers have no planes both compile to nothing.
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// The planes of a block: where each receiver lies, and its slope.
+struct plane_block {
+    alignas(64) float x[block], y[block], slope_x[block], slope_y[block];
+    float cleared;  ///< depth of the far plane
+
+    template <class Receivers>
+    UMBRAGE_INLINE void copy(const Receivers& from, float far_plane) {
+        cleared = far_plane;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            x[i] = from.x(i);
+            y[i] = from.y(i);
+            slope_x[i] = from.slope_x(i);
+            slope_y[i] = from.slope_y(i);
+        }
+    }
+    /// apply_receiver_plane of a texel in column `across` and row `up`.
+    [[nodiscard]] UMBRAGE_INLINE float moved(int i, float stored, float across, float up) const {
+        const float along = slope_x[i] * (across + 0.5f - x[i]), beside = slope_y[i] * (up + 0.5f - y[i]);
+        return select(cleared_mask(stored, cleared), stored, stored - (along + beside));
+    }
+};
+
+/// The rows of texels around one receiver, as a form loads them.
+template <int Lanes>
+struct plane_rows {
+    static constexpr int chunk = Lanes;
+    float slope, x, first, cleared;
+    alignas(32) float beside[24];  ///< of each row: what its distance from the receiver adds to the plane
+
+    /// @param column, row   of the first texel;   rows  of texels, at most 24
+    UMBRAGE_INLINE plane_rows(const plane_block& planes, int i, int column, int row, int rows)
+        : slope(planes.slope_x[i]), x(planes.x[i]), first(static_cast<float>(column)), cleared(planes.cleared) {
+        const float y = planes.y[i], slope_y = planes.slope_y[i];
+        for (int j = 0; j < rows; j += chunk)
+            for (int k = 0; k < chunk; ++k) beside[j + k] = slope_y * (static_cast<float>(row + j + k) + 0.5f - y);
+    }
+    /// @param moved   columns from the first on;   row  from the first on
+    UMBRAGE_INLINE void move(int moved, int row, lanes_of<float, Lanes>& texels) const {
+        move_to_plane<Lanes>(slope, first + static_cast<float>(moved), x, beside[row], cleared, texels);
+    }
+};
+/// The same of receivers without planes.
+template <int Lanes>
+struct rows_as_stored {
+    UMBRAGE_INLINE void move(int, int, lanes_of<float, Lanes>&) const {}
+};
+template <int Lanes, class Placed>
+[[nodiscard]] UMBRAGE_INLINE inline auto rows_on_planes([[maybe_unused]] const Placed& at, [[maybe_unused]] int i,
+                                                        [[maybe_unused]] int column, [[maybe_unused]] int row,
+                                                        [[maybe_unused]] int rows) {
+    if constexpr (requires { at.planes; }) return plane_rows<Lanes>(at.planes, i, column, row, rows);
+    else return rows_as_stored<Lanes>{};
+}
+
+/// A texel of receiver i, moved.
+template <class Placed>
+[[nodiscard]] UMBRAGE_INLINE inline float moved_texel([[maybe_unused]] const Placed& at, [[maybe_unused]] int i,
+                                                      float stored, [[maybe_unused]] int column,
+                                                      [[maybe_unused]] int row) {
+    if constexpr (requires { at.planes; })
+        return at.planes.moved(i, stored, static_cast<float>(column), static_cast<float>(row));
+    else return stored;
+}
+
+/// Moves a texel of each receiver of a block.
+/// @param column, row   i -> of the texel, whether in the map or not
+template <class Placed, class Column, class Row>
+UMBRAGE_INLINE inline void move_texels(const Placed& at, const Column& column, const Row& row, float* texels) {
+    if constexpr (requires { at.planes; }) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) texels[i] = moved_texel(at, i, texels[i], column(i), row(i));
+    }
+}
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
 // ---- umbrage/images/blocks/disc.hpp
 // Discs over blocks of receivers: the turned points of a row of pixels are looked up, not turned again. All texels near
 // a receiver are compared at once, a row of them in a register, where that is less work than point after point.
@@ -15361,8 +14974,8 @@ struct disc_blocks {
         }
     }
 
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
+    template <class Placed, class Isa>
+    UMBRAGE_INLINE void operator()(const Placed& at, int, float* visibility, Isa set) const {
         if constexpr (Isa::value != isa::base) {
             near_texels texels;
             if (points >= 2 * near_rows && find_near(at, texels))
@@ -15398,9 +15011,9 @@ private:
         return all != 0;
     }
 
-    template <int Lanes>
-    UMBRAGE_INLINE void count_near(const placed& at, near_texels& texels, float* visibility) const {
-        for (int i = 0; i < block; ++i) compare_near(at.z[i], texels.offsets[i], texels.upper[i], texels.lower[i]);
+    template <int Lanes, class Placed>
+    UMBRAGE_INLINE void count_near(const Placed& at, near_texels& texels, float* visibility) const {
+        for (int i = 0; i < block; ++i) compare_near(at, i, texels.offsets[i], texels.upper[i], texels.lower[i]);
         const auto& row = taps.of[static_cast<std::size_t>(at.row)];
         for (int i = 0; i < block; i += Lanes) {
             lanes_of<std::uint32_t, Lanes> from, upper, lower, tap, lit{};
@@ -15422,22 +15035,27 @@ private:
     }
 
     /// Which texels are lit, as mask_bits of rows 0 to 3 and of 4 to 6.
-    UMBRAGE_INLINE void compare_near(float receiver, std::int32_t offset, std::uint32_t& upper,
+    template <class Placed>
+    UMBRAGE_INLINE void compare_near(const Placed& at, int i, std::int32_t offset, std::uint32_t& upper,
                                      std::uint32_t& lower) const {
         const texel_bytes memory(map);
+        const auto on_planes =
+            rows_on_planes<near_columns>(at, i, (at.x[i] >> 8) - near_before, (at.y[i] >> 8) - near_before, near_rows);
         const std::byte* from = memory.data + offset;
         lanes_of<std::int32_t, near_columns> lit[8]{};
         lanes_of<float, near_columns> texels;
 #pragma GCC unroll 7
         for (int y = 0; y < near_rows; ++y, from += memory.stride) {
             load_lanes(from, texels);
-            lit_lanes<near_columns, test::forward>(receiver, texels, lit[y]);
+            on_planes.move(0, y, texels);
+            lit_lanes<near_columns, test::forward>(at.z[i], texels, lit[y]);
         }
         upper = mask_bits(lit);
         lower = mask_bits(lit + 4);
     }
 
-    UMBRAGE_INLINE void count_all(const placed& at, float* visibility) const {
+    template <class Placed>
+    UMBRAGE_INLINE void count_all(const Placed& at, float* visibility) const {
         const float_texels of_map{map};
         const texel_bytes memory(map);
         const int last_x = map.size.x - 1, last_y = map.size.y - 1;
@@ -15450,6 +15068,9 @@ private:
                 offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
                                            clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
             texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            move_texels(
+                at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + tap.x[i]) >> 8; },
+                [&](int i) UMBRAGE_INLINE { return (at.y[i] + tap.y[i]) >> 8; }, texels.depths);
             for (int i = 0; i < block; ++i) lit[i] += static_cast<std::uint32_t>(test::lit(at.z[i], texels.one(i)));
         }
         take_share(at, lit, visibility);
@@ -15662,15 +15283,15 @@ struct window_blocks {
         prefetch(memory, at.offsets, last_y < 0 ? 1 : row.touched());
     }
 
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+    template <class Placed, class Isa>
+    UMBRAGE_INLINE void operator()(const Placed& at, int count, float* visibility, Isa set) const {
         out_of_line(set,
                     [&](auto) UMBRAGE_INLINE { weigh_all<Isa::value == isa::base ? 4 : 8>(at, count, visibility); });
     }
 
 private:
-    template <int Lanes>
-    UMBRAGE_INLINE void weigh_all(const placed& at, int count, float* visibility) const {
+    template <int Lanes, class Placed>
+    UMBRAGE_INLINE void weigh_all(const Placed& at, int count, float* visibility) const {
         alignas(64) float sums[block]{};
         if (map.size.x >= loaded() && map.size.y >= row.touched()) {
             if (Lanes == 8 && row.touched() == 4) weigh_inside<4, 1, 4>(at, count, sums);
@@ -15690,23 +15311,27 @@ private:
     }
 
     /// Four rows of four texels, two in a register.
-    UMBRAGE_INLINE void weigh_four_rows(const std::byte* texels, std::ptrdiff_t stride, float receiver,
+    template <class Placed>
+    UMBRAGE_INLINE void weigh_four_rows(const Placed& at, int i, const std::byte* texels, std::ptrdiff_t stride,
                                         const float* rows, const float* columns, lanes_of<float, 4>& sum) const {
+        const auto on_planes = rows_on_planes<4>(at, i, at.x[i], at.y[i], 4);
         lanes_of<float, 4> upper, lower, weights_of_rows;
         lanes_of<float, 8> two_rows, first, second;
         lanes_of<std::int32_t, 8> mask;
-        const auto keep_lit = [&](const std::byte* from, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
-            load_lanes(from, upper);
-            load_lanes(from + stride, lower);
+        const auto keep_lit = [&](int j, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
+            load_lanes(texels + j * stride, upper);
+            load_lanes(texels + (j + 1) * stride, lower);
+            on_planes.move(0, j, upper);
+            on_planes.move(0, j + 1, lower);
             shuffle<0, 1, 2, 3, 4, 5, 6, 7>(upper, lower, two_rows);
-            lit_lanes<8, test::forward>(receiver, two_rows, mask);
+            lit_lanes<8, test::forward>(at.z[i], two_rows, mask);
             keep_where<8>(mask, weight);
         };
         load_lanes(rows, weights_of_rows);
         shuffle<0, 0, 0, 0, 1, 1, 1, 1>(weights_of_rows, weights_of_rows, first);
         shuffle<2, 2, 2, 2, 3, 3, 3, 3>(weights_of_rows, weights_of_rows, second);
-        keep_lit(texels, first);
-        keep_lit(texels + 2 * stride, second);
+        keep_lit(0, first);
+        keep_lit(2, second);
         first += second;
         shuffle<0, 1, 2, 3>(first, first, upper);
         shuffle<4, 5, 6, 7>(first, first, lower);
@@ -15715,15 +15340,16 @@ private:
     }
 
     /// All of them: those that are not inside weigh the map's first texels.
-    template <int Lanes, int Registers, int Rows = 0>
-    UMBRAGE_INLINE void weigh_inside(const placed& at, int count, float* sums) const {
+    template <int Lanes, int Registers, int Rows = 0, class Placed>
+    UMBRAGE_INLINE void weigh_inside(const Placed& at, int count, float* sums) const {
         const texel_bytes memory(map);
         const int touched = row.touched();
         const auto weigh = [&](int i, lanes_of<float, 4>& sum) UMBRAGE_INLINE {
             const float *rows = weights.of[at.moved_y[i]], *columns = weights.of[at.moved_x[i]];
             if constexpr (Rows == 4)
-                return weigh_four_rows(memory.data + at.offsets[i], memory.stride, at.z[i], rows, columns, sum);
+                return weigh_four_rows(at, i, memory.data + at.offsets[i], memory.stride, rows, columns, sum);
             sum = lanes_of<float, 4>{};
+            const auto on_planes = rows_on_planes<Lanes>(at, i, at.x[i], at.y[i], touched);
 #pragma GCC unroll 4
             for (int r = 0; r < Registers; ++r) {
                 const std::byte* from = memory.data + at.offsets[i] + std::size_t(r) * Lanes * sizeof(float);
@@ -15731,6 +15357,7 @@ private:
                 lanes_of<std::int32_t, Lanes> mask;
                 for (int j = 0; j < touched; ++j) {
                     load_lanes(from, texels);
+                    on_planes.move(r * Lanes, j, texels);
                     lit_lanes<Lanes, test::forward>(at.z[i], texels, mask);
                     add_where<Lanes>(mask, rows[j], lit);
                     from += memory.stride;
@@ -15750,13 +15377,17 @@ private:
         }
     }
 
-    [[nodiscard]] float weigh_at_border(const placed& at, int i) const {
+    template <class Placed>
+    [[nodiscard]] float weigh_at_border(const Placed& at, int i) const {
         const float *columns = weights.of[at.moved_x[i]], *rows = weights.of[at.moved_y[i]];
         float sum = 0.0f;
         for (int j = 0; j < row.touched(); ++j) {
             const float* texels = texel_at(map, 0, clamp_int(at.y[i] + j, map.size.y - 1));
-            for (int k = 0; k < row.touched(); ++k)
-                if (test::lit(at.z[i], texels[clamp_int(at.x[i] + k, map.size.x - 1)])) sum += rows[j] * columns[k];
+            for (int k = 0; k < row.touched(); ++k) {
+                const float stored = texels[clamp_int(at.x[i] + k, map.size.x - 1)];
+                if (test::lit(at.z[i], moved_texel(at, i, stored, at.x[i] + k, at.y[i] + j)))
+                    sum += rows[j] * columns[k];
+            }
         }
         return sum;
     }
@@ -16111,8 +15742,8 @@ struct soft_blocks : disc_blocks<Direction> {
           min_radius(static_cast<std::int32_t>(filter.softness.min_radius)),
           max_radius(static_cast<std::int32_t>(filter.softness.max_radius)) {}
 
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
+    template <class Placed, class Isa>
+    UMBRAGE_INLINE void operator()(const Placed& at, int, float* visibility, Isa set) const {
         out_of_line(set, [&](auto) UMBRAGE_INLINE { soften(at, visibility); });
     }
 
@@ -16128,8 +15759,8 @@ private:
     }
 
     /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.
-    template <class Use>
-    UMBRAGE_INLINE void for_each_tap(const placed& at, const std::int32_t* radii, const Use& use) const {
+    template <class Placed, class Use>
+    UMBRAGE_INLINE void for_each_tap(const Placed& at, const std::int32_t* radii, const Use& use) const {
         const float_texels of_map{this->map};
         const texel_bytes memory(this->map);
         const int last_x = this->map.size.x - 1, last_y = this->map.size.y - 1;
@@ -16141,11 +15772,15 @@ private:
                 offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
                                            clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
             texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            move_texels(
+                at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8; },
+                [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8; }, texels.depths);
             use(texels);
         }
     }
 
-    UMBRAGE_INLINE void soften(const placed& at, float* visibility) const {
+    template <class Placed>
+    UMBRAGE_INLINE void soften(const Placed& at, float* visibility) const {
         alignas(64) std::int32_t codes[block], searched[block], radii[block], blocked[block]{}, sums[block]{};
         for (int i = 0; i < block; ++i) {
             codes[i] = distance_code_of(at.z[i]);
@@ -16227,58 +15862,11 @@ struct block_form<filters::dpcf> : soft_form<filters::dpcf> {};
 //     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
 //     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
-// Bit for bit what the filter gives for each receiver alone.
+// Bit for bit what the filter gives for each receiver alone, of bordered(map): all outside the map is lit.
 
 namespace umbrage {
 
-/// What receivers see whose texels lie outside the map.
-enum class outside_map {
-    clamped,  ///< the nearest texel inside: what clamped(map) fetches
-    lit,      ///< the far plane: what bordered(map, cleared_depth(clip)) fetches
-};
-
 namespace detail {
-
-/// The receivers of some rows through a filter's blocks.
-template <class Receivers, class Blocks>
-void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<float> out, int first, int last) {
-    const bool large = past_cache(out);
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        constexpr unsigned ring = 4;  // blocks on their way
-        constexpr bool in_tiles = requires { typename Blocks::tile; };
-        typename Blocks::placed placed[ring];
-        typename tile_of<Blocks>::type tile;
-        alignas(64) float visibility[std::size_t(tile.rows)][block];
-        block_walk ahead{0, first, out.size.x, tile.rows, last}, at = ahead;
-        for (unsigned n = 0; at.y < last; ++n) {
-            if (ahead.y < last) {
-                prefetch(receivers, ahead);
-                use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
-                    if constexpr (requires { blocks.place(of_block, placed[0], 0); })
-                        blocks.place(of_block, placed[n % ring], ahead.y);
-                    else blocks.place(of_block, placed[n % ring]);
-                });
-                ahead.step();
-            }
-            if (n + 1 < ring) continue;
-            float* const to_tile = visibility[at.y - at.first];
-            if constexpr (in_tiles) blocks(placed[(n + 1) % ring], at.count(), to_tile, tile, set);
-            else blocks(placed[(n + 1) % ring], at.count(), to_tile, set);
-            if (at.ends_tile()) {
-                if constexpr (in_tiles) blocks.finish(tile, set);
-                for (int y = at.first; y <= at.y; ++y) {
-                    const float* const from = visibility[y - at.first];
-                    float* const to = out.row(y) + at.x;
-                    if (large && at.x == 0) prefetch_rest(to, out.size.x);
-                    if (large && at.count() == block) stream_block(to, from);
-                    else copy_floats(to, from, at.count());
-                }
-            }
-            at.step();
-        }
-    });
-    if (large) finish_streaming();
-}
 
 /// Visibility of a receiver, by a filter that may want to know its pixel, too.
 template <class Filter, class Fetch>
@@ -16287,6 +15875,106 @@ template <class Filter, class Fetch>
     if constexpr (requires { filter(fetch, coord, receiver, pixel); })
         return static_cast<float>(filter(fetch, coord, receiver, pixel));
     else return static_cast<float>(filter(fetch, coord, receiver));
+}
+
+/// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
+struct erased_fetch {
+    const void* fetch;
+    float (*call)(const void*, glm::ivec2);
+    float operator()(glm::ivec2 texel) const { return call(fetch, texel); }
+};
+template <class Fetch>
+[[nodiscard]] erased_fetch erase(const Fetch& fetch) {
+    return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
+}
+
+/// The receivers whose texels may lie outside the map. Blocks clamp there: with a border these are filtered again.
+template <class Filter>
+class map_edge {
+public:
+    /// @param bordered   what fetches the map with its border; none: the edge clamps
+    map_edge(const Filter& filter, glm::ivec2 map_size, const erased_fetch* bordered)
+        : filter_(filter),
+          bordered_(bordered),
+          margin_(filter.reach() + 0.5f),  // weights are in steps of 1/256
+          size_(map_size),
+          inside_(glm::vec2(margin_), size_ - margin_) {}
+
+    /// Whether one of a block is among them.
+    template <class Receivers>
+    [[nodiscard]] UMBRAGE_INLINE bool meets(const Receivers& r) const {
+        return bordered_ && !inside_.holds(r);
+    }
+    /// Filters those of a block again.
+    template <class Receivers>
+    void filter_again(const Receivers& receivers, const block_walk& at, float* visibility) const {
+        const glm::vec2 last = size_ - margin_, beyond = size_ + margin_;
+        use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
+            for (int i = 0; i < at.count(); ++i) {
+                const glm::vec2 c(r.x(i), r.y(i));
+                if (c.x >= margin_ && c.y >= margin_ && c.x <= last.x && c.y <= last.y) continue;
+                const bool apart = c.x < -margin_ || c.y < -margin_ || c.x > beyond.x || c.y > beyond.y;
+                visibility[i] = apart && !is_nan(r.z(i))
+                                    ? 1.0f
+                                    : filtered(filter_, *bordered_, c, r.z(i), glm::ivec2(at.x + i, at.y));
+            }
+        });
+    }
+
+private:
+    const Filter& filter_;
+    const erased_fetch* bordered_;
+    float margin_;
+    glm::vec2 size_;
+    receiver_rectangle inside_;
+};
+
+/// The receivers of some rows through a filter's blocks.
+template <class Receivers, class Blocks, class Edge>
+void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out, int first,
+                 int last) {
+    const bool large = past_cache(out);
+    const auto all_rows = [&](auto set) UMBRAGE_INLINE {
+        constexpr unsigned ring = 4;  // blocks on their way
+        constexpr bool in_tiles = requires { typename Blocks::tile; };
+        typename Blocks::placed placed[ring];
+        typename tile_of<Blocks>::type tile;
+        alignas(64) float visibility[std::size_t(tile.rows)][block];
+        bool at_edge[ring], again[std::size_t(tile.rows)];
+        block_walk ahead{0, first, out.size.x, tile.rows, last}, at = ahead;
+        for (unsigned n = 0; at.y < last; ++n) {
+            if (ahead.y < last) {
+                prefetch(receivers, ahead);
+                use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
+                    if constexpr (requires { blocks.place(of_block, placed[0], 0); })
+                        blocks.place(of_block, placed[n % ring], ahead.y);
+                    else blocks.place(of_block, placed[n % ring]);
+                    at_edge[n % ring] = edge.meets(of_block);
+                });
+                ahead.step();
+            }
+            if (n + 1 < ring) continue;
+            float* const to_tile = visibility[at.y - at.first];
+            if constexpr (in_tiles) blocks(placed[(n + 1) % ring], at.count(), to_tile, tile, set);
+            else blocks(placed[(n + 1) % ring], at.count(), to_tile, set);
+            again[at.y - at.first] = at_edge[(n + 1) % ring];
+            if (at.ends_tile()) {
+                if constexpr (in_tiles) blocks.finish(tile, set);
+                for (int y = at.first; y <= at.y; ++y) {
+                    float* const from = visibility[y - at.first];
+                    if (again[y - at.first]) edge.filter_again(receivers, {at.x, y, at.width}, from);
+                    float* const to = out.row(y) + at.x;
+                    if (large && at.x == 0) prefetch_rest(to, out.size.x);
+                    if (large && at.count() == block) stream_block(to, from);
+                    else copy_floats(to, from, at.count());
+                }
+            }
+            at.step();
+        }
+    };
+    if constexpr (requires { Blocks::rounds; }) on_best_isa_without_fma(all_rows);
+    else on_best_isa(all_rows);
+    if (large) finish_streaming();
 }
 
 /// Calls use(visibility, coord, receiver, pixel) for one receiver after the other.
@@ -16312,39 +16000,14 @@ void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& 
                       });
 }
 
-/// Once more the receivers whose texels may lie outside the map, now with a border that lights them.
-template <class Receivers, class Filter, class Fetch, class ParallelFor>
-void light_outside(const Receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& bordered_map,
-                   image_view<float> out, ParallelFor&& parallel) {
-    const float margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
-    const glm::vec2 last = map_size - margin, beyond = map_size + margin;
-    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 c, float receiver, glm::ivec2 pixel) {
-        if (c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) return;
-        const bool apart = c.x < -margin || c.y < -margin || c.x > beyond.x || c.y > beyond.y;
-        visibility = apart && !is_nan(receiver) ? 1.0f : filtered(filter, bordered_map, c, receiver, pixel);
-    });
-}
-
-/// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
-struct erased_fetch {
-    const void* fetch;
-    float (*call)(const void*, glm::ivec2);
-    float operator()(glm::ivec2 texel) const { return call(fetch, texel); }
-};
-template <class Fetch>
-[[nodiscard]] erased_fetch erase(const Fetch& fetch) {
-    return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
-}
-
 /// Refuses a filter and an encoding that take a map's depth to run opposite ways: one of them would see all in shadow.
 template <class Encoding, class Filter>
 void require_one_direction(const Encoding& encoding, const Filter& filter) {
     if constexpr (requires { filter.is_lit.direction == encoding.direction; }) {
-        if (filter.is_lit.direction == encoding.direction) return;
         const bool reversed = encoding.direction == depth_direction::reversed;
-        fail(std::string("umbrage::visibility: filter must compare ") + (reversed ? "reversed" : "forward") +
-             " depth, as encoding holds it; got " + (reversed ? "forward" : "reversed") +
-             ". Give both the map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}");
+        require(filter.is_lit.direction == encoding.direction, "visibility", "filter.is_lit.direction",
+                reversed ? "the encoding's, reversed" : "the encoding's, forward", reversed ? "forward" : "reversed",
+                "Give both the map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}.");
     }
 }
 
@@ -16352,8 +16015,7 @@ void require_one_direction(const Encoding& encoding, const Filter& filter) {
 template <class Encoding, class Filter>
 [[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
     if constexpr (requires { filter.is_lit.direction; }) return cleared_depth(filter.is_lit.direction);
-    else if constexpr (requires { encoding.direction; }) return cleared_depth(encoding.direction);
-    else return 1.0f;
+    else return far_depth(encoding);
 }
 
 /// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
@@ -16394,28 +16056,26 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
     require_one_direction(encoding, filter);
-    if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
-    if (map.empty()) fail("umbrage::visibility: empty map");
+    require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
+    require(!map.empty(), "visibility", "map.size", "above 0", map.size);
     if (out.empty()) return;
-    const auto rows = [&](const auto& blocks) {
-        parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, out, first, last); });
-    };
-    const auto clamped_map = decoded(map, encoding);
-    const auto bordered_map = [&, cleared = far_depth(encoding, filter)](glm::ivec2 texel) {
-        const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
-        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : cleared;
-    };
+    const auto clamped_map = decoded(clamped(map), encoding);
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, far_depth(encoding, filter)};
     if constexpr (has_block_form<Filter>) {
         using form = block_form<Filter>;
+        const erased_fetch bordered = erase(bordered_map);
+        const bool has_border = outside == outside_map::bordered;
+        const map_edge<Filter> edge(filter, map.size, has_border ? &bordered : nullptr);
+        const auto rows = [&](const auto& blocks) {
+            parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
+        };
         const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (filter.is_lit.direction == depth_direction::forward)
                 form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
             else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
         });
-        if (!done) filter_each(receivers, filter, erase(clamped_map), out, parallel);
-        if (outside == outside_map::lit)
-            light_outside(receivers, glm::vec2(map.size), filter, erase(bordered_map), out, parallel);
-    } else if (outside == outside_map::lit) {
+        if (!done) filter_each(receivers, filter, has_border ? bordered : erase(clamped_map), out, parallel);
+    } else if (outside == outside_map::bordered) {
         filter_each(receivers, filter, bordered_map, out, parallel);
     } else {
         filter_each(receivers, filter, clamped_map, out, parallel);
@@ -16431,12 +16091,12 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 ///                    (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides, an ivec2
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
-/// @param outside     what counts outside the map
+/// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
 /// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
@@ -16444,7 +16104,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
@@ -16452,278 +16112,9 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
-
-}  // namespace umbrage
-
-// ---- umbrage/light/adaptive/pages.hpp
-// Which pages of a light's root square a view needs, so that shadows are as fine as the screen, and which of an
-// atlas' slots hold them: pages stay where they are from frame to frame, those least recently needed are given up.
-//
-//     umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = 10});
-//     for (;;) {  // receivers: umbrage::page_receiver{coordinate in the root, longest_extent in a map of one page}
-//         const umbrage::page_update update = cache.update(receivers);
-//         umbrage::draw_pages(atlas, layout, root, update.drawn, draw);  // see images/page_atlas.hpp
-//     }
-//
-
-namespace umbrage {
-
-/// A square of the root, whose side is the root's over 2^level: the x-th from the left, the y-th from the first row.
-struct page {
-    int level = 0, x = 0, y = 0;
-
-    friend auto operator<=>(const page&, const page&) = default;  ///< coarse ones first
-};
-
-/// The page of a level that holds a point.
-/// @param coord   1 .. 2 across the root, 2 not included
-template <class = detail::on_use>
-[[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
-    const double across = std::ldexp(1.0, level);
-    return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
-}
-
-/// A point that the view sees.
-struct page_receiver {
-    glm::vec2 coord{1};   ///< 1 .. 2 across the root
-    float extent = 0.0f;  ///< longest_extent of a texel of the coarsest page, pixels
-};
-
-namespace detail {
-
-/// The least level in which no texel's longer axis covers more pixels than wanted; -1 of receivers that want none.
-template <class = on_use>
-[[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
-    const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
-    if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
-    return static_cast<int>(detail::limited(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
-}
-
-/// To pages in the making, where it is not the last already.
-template <class = on_use>
-inline void add(const page& p, std::vector<page>& pages) {
-    if (pages.empty() || p != pages.back()) pages.push_back(p);
-}
-/// Each once, coarse ones first.
-template <class = on_use>
-void tidy(std::vector<page>& pages) {
-    sort(pages, [](const page& a, const page& b) { return a < b; });
-    std::size_t kept = 0;
-    for (const page& p : pages)
-        if (kept == 0 || p != pages[kept - 1]) pages[kept++] = p;
-    pages.resize(kept);
-}
-
-}  // namespace detail
-
-/// The pages of the least level in which no texel's longer axis covers more pixels than wanted.
-/// @param receivers       those beside the root, and of an extent that is not finite or not above 0, want none
-/// @param target          pixels, > 0
-/// @param deepest_level   0 .. 15, whatever that leaves
-/// @return                each once, coarse ones first
-/// @formula               level = ceil(log2(extent / target))
-/// @throws std::invalid_argument  target or deepest_level out of range
-template <class = detail::on_use>
-[[nodiscard]] std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
-                                             int deepest_level) {
-    constexpr auto function = "wanted_pages";
-    detail::require(is_finite(target) && target > 0.0, function, "target", "must be finite and above 0");
-    detail::require(deepest_level >= 0 && deepest_level <= deepest_page_level, function, "deepest_level",
-                    "must lie between 0 and 15");
-    std::vector<page> pages;
-    for (const page_receiver& r : receivers) {
-        const int level = detail::wanted_level(r, target, deepest_level);
-        if (level < 0) continue;
-        detail::add(page_at(glm::dvec2(r.coord), level), pages);
-    }
-    detail::tidy(pages);
-    return pages;
-}
-
-/// What a cache is made for.
-struct page_budget {
-    glm::ivec2 slots{16};    ///< columns and rows of pages that the atlas has, each 1 .. 256
-    int deepest_level = 10;  ///< 0 .. 15: of the finest pages; a table has 2^deepest_level texels a side
-    double target = 1.0;     ///< pixels that a texel may cover, > 0
-};
-
-/// A page and where the atlas holds it.
-struct placed_page {
-    umbrage::page page;
-    glm::ivec2 slot;
-};
-
-/// What has changed from one view to the next.
-struct page_update {
-    std::vector<placed_page> drawn{};  ///< pages that are to be drawn, coarse ones first
-    double target = 0.0;               ///< pixels that a texel covers at most: the budget's target, or more
-    std::size_t kept = 0;              ///< pages needed that were there
-    std::size_t given_up = 0;          ///< pages that others took the place of,
-    std::size_t forced = 0;            ///< and of these such as the view needs for the budget's target: shadows pop
-};
-
-/// Pages that stay in their slots as long as nothing finer, nearer or newer wants these.
-///
-/// The root's own page is always there, so that there is shadow everywhere in it; where the view needs no finer pages
-/// any more, those that are left serve until others need their slots. Where the wanted pages are more than the slots,
-/// the target is raised by steps of a sixteenth of an octave until they fit; it comes down again when as many as seven
-/// eighths of the slots suffice, so that it does not swing.
-/// @cite   Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
-class page_cache {
-public:
-    /// @throws std::invalid_argument  slots, deepest_level or target out of range
-    template <class = detail::on_use>
-    explicit page_cache(const page_budget& budget) : budget_(budget), target_(budget.target) {
-        constexpr auto function = "page_cache";
-        const auto fits = [](int n) { return n >= 1 && n <= 256; };
-        detail::require(fits(budget.slots.x) && fits(budget.slots.y), function, "slots", "must be 1 to 256 each");
-        detail::require(budget.deepest_level >= 0 && budget.deepest_level <= deepest_page_level, function,
-                        "deepest_level", "must lie between 0 and 15");
-        detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target",
-                        "must be finite and above 0");
-        for (int y = budget.slots.y; y-- > 0;)
-            for (int x = budget.slots.x; x-- > 0;) free_.push_back({x, y});
-    }
-
-    /// Takes in what a view sees.
-    template <class = detail::on_use>
-    page_update update(std::span<const page_receiver> receivers) {
-        ++now_;
-        page_update result;
-        std::vector<page> missing;
-        const std::vector<page> needed = fitting(receivers);
-        auto here = resident_.begin();
-        for (const page& p : needed) {
-            while (here != resident_.end() && here->page < p) ++here;
-            if (here == resident_.end() || here->page != p) missing.push_back(p);
-            else here->needed = now_, ++result.kept;
-        }
-        const std::vector<page> given_up =
-            give_up(missing.size() > free_.size() ? missing.size() - free_.size() : std::size_t(0));
-        for (const page& p : missing) {
-            result.drawn.push_back({p, free_.back()});
-            resident_.push_back({p, free_.back(), now_});
-            free_.pop_back();
-        }
-        detail::sort(resident_, [](const held& a, const held& b) { return a.page < b.page; });
-        result.target = target_;
-        result.given_up = given_up.size();
-        if (target_ > budget_.target && !given_up.empty()) result.forced = popped(receivers, given_up);
-        return result;
-    }
-
-    /// All that must be drawn anew: casters or the light have moved.
-    template <class = detail::on_use>
-    void forget() {
-        for (const held& h : resident_) free_.push_back(h.slot);
-        resident_.clear();
-    }
-
-    [[nodiscard]] const page_budget& budget() const { return budget_; }
-    [[nodiscard]] std::size_t size() const { return resident_.size(); }
-
-    /// Calls use(page, slot) for every page that is there, coarse ones first.
-    template <class Use>
-    void for_each(Use&& use) const {
-        for (const held& h : resident_) use(h.page, h.slot);
-    }
-
-    /// The level of the finest page that holds a point; -1 where there is none.
-    /// @param coord   1 .. 2 across the root, 2 not included
-    template <class = detail::on_use>
-    [[nodiscard]] int level_at(glm::dvec2 coord) const {
-        int level = budget_.deepest_level;
-        while (level >= 0 && !find(page_at(coord, level))) --level;
-        return level;
-    }
-
-private:
-    struct held {
-        umbrage::page page;
-        glm::ivec2 slot;
-        std::uint64_t needed;  ///< in which update last
-    };
-
-    [[nodiscard]] std::size_t slots() const {
-        return static_cast<std::size_t>(budget_.slots.x) * static_cast<std::size_t>(budget_.slots.y);
-    }
-
-    /// nullptr: the page is not there.
-    template <class = detail::on_use>
-    [[nodiscard]] const held* find(const page& p) const {
-        const std::size_t at = detail::count_in_front(resident_, [&](const held& h) { return h.page < p; });
-        return at < resident_.size() && resident_[at].page == p ? &resident_[at] : nullptr;
-    }
-
-    /// The root and what is wanted besides, with the target moved until it fits.
-    template <class = detail::on_use>
-    [[nodiscard]] std::vector<page> fitting(std::span<const page_receiver> receivers) {
-        const double step = std::exp2(1.0 / 16.0);
-        const auto wanted = [&](double target) {
-            std::vector<page> pages = wanted_pages(receivers, target, budget_.deepest_level);
-            if (pages.empty() || pages.front() != page{}) pages.insert(pages.begin(), page{});
-            return pages;
-        };
-        std::vector<page> pages = wanted(target_);
-        while (pages.size() > slots()) pages = wanted(target_ *= step);
-        while (target_ > budget_.target) {
-            const double finer = detail::greater(target_ / step, budget_.target);
-            std::vector<page> more = wanted(finer);
-            if (more.size() * 8 > slots() * 7) break;
-            target_ = finer;
-            pages.swap(more);
-        }
-        return pages;
-    }
-
-    /// Frees slots: of the pages not needed now the least recently needed, of these the finest.
-    /// @return   the pages, in their order
-    template <class = detail::on_use>
-    std::vector<page> give_up(std::size_t count) {
-        std::vector<page> pages;
-        if (count == 0) return pages;
-        detail::sort(resident_, [](const held& a, const held& b) {
-            return a.needed != b.needed ? a.needed > b.needed : a.page < b.page;
-        });
-        for (std::size_t i = 0; i < count; ++i) {
-            pages.push_back(resident_.back().page);
-            free_.push_back(resident_.back().slot);
-            resident_.pop_back();
-        }
-        detail::tidy(pages);
-        return pages;
-    }
-
-    /// How many of the pages given up some receiver looked into that the budget's target would have it look into still.
-    template <class = detail::on_use>
-    [[nodiscard]] std::size_t popped(std::span<const page_receiver> receivers,
-                                     const std::vector<page>& given_up) const {
-        std::vector<page> pops;
-        for (const page_receiver& r : receivers) {
-            const int asked = detail::wanted_level(r, budget_.target, budget_.deepest_level);
-            const int found = asked < 0 ? asked : level_at(glm::dvec2(r.coord));
-            if (found >= asked) continue;
-            for (int level = budget_.deepest_level; level > found; --level) {
-                const page p = page_at(glm::dvec2(r.coord), level);
-                const std::size_t at = detail::count_in_front(given_up, [&](const page& other) { return other < p; });
-                if (at == given_up.size() || given_up[at] != p) continue;
-                detail::add(p, pops);
-                break;
-            }
-        }
-        detail::tidy(pops);
-        return pops.size();
-    }
-
-    page_budget budget_;
-    double target_;
-    std::uint64_t now_ = 0;
-    std::vector<held> resident_;  // coarse pages first
-    std::vector<glm::ivec2> free_;
-};
 
 }  // namespace umbrage
 
@@ -16738,10 +16129,11 @@ namespace detail {
 /// Receivers, or a complaint in the name of a function whose argument they are.
 template <class Use = on_use>
 [[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
-    require(receivers.has_value(), function, "receivers", "must be given; got none");
-    bool finite = is_finite(receivers->radius) && receivers->radius >= 0.0;
-    for (const glm::dvec3& p : receivers->points) finite = finite && all_finite(p);
-    require(finite, function, "receivers", "must be finite");
+    require(receivers.has_value(), function, "receivers", "given", "none");
+    require(is_finite(receivers->radius) && receivers->radius >= 0.0, function, "receivers",
+            "of a finite radius, 0 or more", receivers->radius);
+    for (const glm::dvec3& p : receivers->points) require(all_finite(p), function, "receivers", "finite", p);
+
     return *receivers;
 }
 
@@ -16788,7 +16180,9 @@ template <class = on_use>
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
     std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
-    sort(points, [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    // stable: zeros of either sign are equal
+    std::stable_sort(points.begin(), points.end(),
+                     [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     // from b on: a and b may be one corner but for rounding, and (c - a) would then have lost their turn
     const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
         return (b.x - a.x) * (c.y - b.y) <= (b.y - a.y) * (c.x - b.x);
@@ -16886,6 +16280,1341 @@ template <class = on_use>
 }  // namespace detail
 }  // namespace umbrage
 
+// ---- umbrage/light/directional_fit.hpp
+// A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
+//
+//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene, .clip = clip});
+//     auto tight = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene, .clip = clip});
+//     auto still = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024,
+//          .clip = clip});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct directional_fit {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
+    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
+    int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
+    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
+};
+
+namespace detail {
+
+/// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
+struct light_box {
+    glm::dvec2 half, middle;
+    double z_near, z_far;
+};
+
+/// The square of whole texels around a box, a texel wider, and depths in steps of its side.
+[[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
+    const double n(texels), half_texel = greater(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
+    const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
+    const double z_near = std::floor(box.z_near / side) * side;
+    return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
+            z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
+}
+
+/// fit_directional_light in the name of another function, whose arguments give the box's sides and depths.
+template <real T>
+[[nodiscard]] light_space<T> fit_directional(const directional_fit<T>& fit, const char* function, const char* sides,
+                                             const char* depths) {
+    require_given(fit.clip, function);
+    const hull& lit = given(fit.receivers, function);
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
+    require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "0 or above 1", fit.snap_texels);
+    if (fit.casters) require_box(*fit.casters, function, "casters");
+    const bool snaps = fit.snap_texels > 0;
+
+    light_space<T> space{
+        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
+    const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
+    const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
+    const hull& receivers = lit.points.empty() ? box_of_casters : lit;
+    const auto points = seen(frame, receivers.points);
+    const auto [low, high] = extent_of(points);
+    const auto [first, last] = extent_of(receivers.points);
+    const double radius = receivers.radius;
+    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
+    light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
+    if (fit.casters && snaps) {
+        const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
+        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
+    } else if (fit.casters) {
+        const auto swept = sweep(points, around);
+        box.z_near = detail::lesser(box.z_near, nearest(frame, *fit.casters, swept) - margin);
+    }
+    if (snaps) box = snapped(box, fit.snap_texels);
+
+    glm::dmat4 projection = orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
+    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        require(is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
+                "such that the box's size is neither too large nor too small",
+                glm::dvec3(2.0 * box.half, box.z_far - box.z_near));
+    return checked(space, function, depths);
+}
+
+}  // namespace detail
+
+/// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
+/// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
+/// there; for a sphere's sweep stands that of its square.
+///
+/// With snap_texels the box is a square, a texel wider, whose texels lie on a grid of the world wherever the receivers
+/// move, as long as their extent keeps its bits: a sphere's does. Its depths then span the casters' whole box, and go
+/// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
+/// origin, compute the texture matrix in double and round that.
+///
+/// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
+/// or of one around the origin.
+///
+/// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
+///                                box, a negative margin, and what gives matrices that are not finite
+/// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
+template <real T = float>
+[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
+    return detail::fit_directional(fit, "fit_directional_light", "receivers and margin",
+                                   "receivers, casters and margin");
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/cascades/cascades.hpp
+// Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
+//
+//     const umbrage::cascade_fit<float> fit{
+//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f, .clip = clip};
+//     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
+//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
+//     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
+//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
+//
+
+namespace umbrage {
+
+/// One part of the camera's range and its map.
+template <real T>
+struct cascade {
+    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for
+                                               ///< all cascades
+    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
+    T begin = T(0), end = T(0);                ///< distances along the camera's axis
+};
+
+template <real T = float>
+struct cascade_fit {
+    frustum<T> camera{};                           ///< but for its planes, in place of which there are splits
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
+    int map_size = 1024;                           ///< of each cascade, texels
+    T margin = T(2);                               ///< texels around: the filter's reach
+    T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
+    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
+};
+
+namespace detail {
+
+/// A fitted light, whose view is a rotation, as a cascade.
+template <real T>
+[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
+    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, glm::ivec2(map_size));
+    const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
+    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
+                       glm::vec<4, T>(offset)};
+    const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
+    require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
+            "such that a cascade is neither too large nor too small", c.scale);
+    return c;
+}
+
+/// The camera's parts between splits, with what they overlap.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
+                                                              const std::array<T, Count + 1>& splits,
+                                                              const char* function) {
+    require_given(fit.clip, function);
+    require_given(fit.scene, function, "scene");
+    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits[0]", "finite, 0 or more", splits[0]);
+    for (std::size_t i = 0; i < Count; ++i)
+        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits",
+                "finite and in ascending order", glm::vec<2, T>(splits[i], splits[i + 1]));
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
+    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "above 2 margin + 1",
+            fit.map_size);
+    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "from 0 to 1", fit.overlap);
+    std::array<frustum<double>, Count> parts;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
+        parts[i] = {glm::dvec3(fit.camera.position),
+                    glm::dvec3(fit.camera.direction),
+                    glm::dvec3(fit.camera.up),
+                    double(fit.camera.tan_half_x),
+                    double(fit.camera.tan_half_y),
+                    double(splits[i]) - double(fit.overlap) * before,
+                    double(splits[i + 1])};
+        require_frustum(parts[i], function, "camera");
+    }
+    return parts;
+}
+
+/// What a part sees of a scene; where that is nothing, all of the part.
+template <class = on_use>
+[[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
+    const polyhedron seen = intersection(part, scene);
+    return seen.empty() ? hull(part) : hull(seen);
+}
+
+/// A directional light with depths of a whole scene, and a little beyond it.
+template <real T>
+[[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
+                                                 const char* function) {
+    const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
+    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes have some depth too
+    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
+                                           function, "", "low and high of scene");
+    light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
+    return light;
+}
+
+/// A margin in texels as a share of what a map holds within it.
+template <real T>
+[[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
+    return double(fit.margin) / (fit.map_size - 2 * double(fit.margin));
+}
+
+/// A cascade for each part, of light(frustum) in double.
+template <std::size_t Count, real T, class Light>
+[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
+                                                          const std::array<T, Count + 1>& splits, const char* function,
+                                                          Light&& light) {
+    const auto parts = camera_parts<Count>(fit, splits, function);
+    std::array<cascade<T>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
+        all[i].begin = splits[i];
+        all[i].end = splits[i + 1];
+    }
+    return all;
+}
+
+}  // namespace detail
+
+/// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
+/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
+/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each.
+///
+/// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
+/// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
+/// else in float 2^-14 of a texel on maps of 1024, which may move a filter's weights by a step of 1/256. Draw depths
+/// from rotated points by the projection alone. In float, one matrix for both may move points by a hundredth of a
+/// texel.
+///
+/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
+/// @return         the nearest first, from split to split
+/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range; what sphere_around and
+///                                fit_directional_light complain of; and what gives matrices that are not finite
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
+                                                                 const std::array<T, Count + 1>& splits) {
+    constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
+    auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
+        const double around = double(fit.margin);
+        const auto light = detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                            .up = glm::dvec3(fit.up),
+                                                            .receivers = sphere_around(part),
+                                                            .margin = around / (fit.map_size - 1 - 2 * around),
+                                                            .snap_texels = fit.map_size,
+                                                            .clip = fit.clip},
+                                                           function, sides, depths);
+        return detail::with_depths_of(light, fit.scene, function);
+    });
+    for (cascade<T>& c : all)
+        for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
+    return all;
+}
+
+/// Cascades of the greatest resolution: each map holds what its part of the camera's frustum has in common with the
+/// scene, and no more; where that is nothing, its part of the frustum. Texels change their size and place as the camera
+/// moves. The rest as for make_stable_cascades; the margin is that many texels or more.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
+                                                                const std::array<T, Count + 1>& splits) {
+    constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
+    return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
+        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
+        return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                .up = glm::dvec3(fit.up),
+                                                .receivers = detail::receivers_of(part, scene),
+                                                .casters = scene,
+                                                .margin = detail::margin_share(fit),
+                                                .clip = fit.clip},
+                                               function, sides, depths);
+    });
+}
+
+/// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
+template <real T>
+struct cascade_uniforms {
+    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's directions, for shadow_coordinate
+    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< columns: a cascade's each; w: of cascade_fade
+    glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
+};
+
+namespace detail {
+
+/// Scale and offset of a cascade's cascade_fade; zeros where nothing fades.
+template <real T>
+[[nodiscard]] glm::vec<2, T> fade_of(T begin, T end, T fade) {
+    const T width = fade * (end - begin);
+    return width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
+}
+
+}  // namespace detail
+
+/// Uniforms of up to four cascades: cascade_column and cascade_by_projection take no more. Warped cascades have a
+/// matrix each, and uniforms of any number: warped.hpp.
+/// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
+///               overlap must have been asked for
+/// @return       where there are fewer than four, nothing falls into the others by depth or by projection
+/// @throws std::invalid_argument  fade out of range
+template <real T, std::size_t Count>
+[[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
+    static_assert(Count >= 1 && Count <= 4,
+                  "umbrage::make_cascade_uniforms: one to four cascades, as cascade_column and cascade_by_projection "
+                  "take four");
+    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
+    cascade_uniforms<T> u;
+    u.rotation = cascades[0].light.view;
+    u.ends = glm::vec<3, T>(detail::highest<T>);
+    for (glm::length_t i = 0; i < 4; ++i) {
+        if (i >= static_cast<glm::length_t>(Count)) {
+            u.offsets[i] = {T(65536), T(65536), T(0), T(0)};
+            continue;
+        }
+        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
+        u.scales[i] = c.scale;
+        u.offsets[i] = c.offset;
+        const glm::vec<2, T> fades = detail::fade_of(c.begin, c.end, fade);
+        u.scales[i].w = fades.x;
+        u.offsets[i].w = fades.y;
+        if (i + 1 < static_cast<glm::length_t>(Count)) u.ends[i] = c.end;
+    }
+    return u;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/light_visibility.hpp
+// A whole image of points in the world against a light of several maps: cascades, a cube, a tetrahedron or two
+// paraboloids. Each point chooses its map and its place in it.
+//
+//     umbrage::light_map map{atlas, umbrage::make_cascade_uniforms(cascades, 0.1f)};  // 2 x 2 tiles: cascade_tile
+//     umbrage::visibility(map, umbrage::depth32f{}, points, umbrage::filters::pcf_2x2{}, out);
+//
+//     umbrage::point_light<float> lamp{.position = p, .map_size = 512, .border = 2, .clip = clip};
+//     umbrage::light_map of_lamp{faces, lamp};  // 3 x 2 tiles: cube_tile
+//
+// Points are biased as points: moved towards the light, or off the surface (normal_offset).
+
+namespace umbrage {
+
+/// The maps of a light in one image.
+/// @tparam Light   cascade_uniforms<float>: 2 x 2 tiles, those of no cascade unused; point_light<float>: 3 x 2 tiles,
+///                 cube_tile; tetrahedron_light<float>: one square; dual_paraboloid_light<float>: 2 x 1 tiles
+template <class Texel, class Light>
+struct light_map {
+    image_view<const Texel> texels;
+    Light light;
+};
+template <class Texel, class Light>
+light_map(const image<Texel>&, Light) -> light_map<Texel, Light>;
+template <class Texel, class Light>
+light_map(image_view<Texel>, Light) -> light_map<std::remove_const_t<Texel>, Light>;
+
+namespace detail {
+
+/// Where a point is looked up.
+struct placed_receiver {
+    glm::ivec2 tile;  ///< its first texel
+    glm::vec3 at;     ///< in texels of the tile, depth
+};
+
+/// The first cascade that holds a point and its filter; none: lit.
+struct cascade_placing {
+    static constexpr glm::ivec2 tiles{2, 2};
+    cascade_uniforms<float> u;
+    int size;
+    float reach;
+
+    cascade_placing(const cascade_uniforms<float>& uniforms, glm::ivec2 texels, float filter_reach)
+        : u(uniforms), size(texels.x / tiles.x), reach(filter_reach) {}
+    [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
+        const glm::vec3 light(shadow_coordinate(u.rotation, world));
+        const glm::vec4 at =
+            cascade_by_projection(light, u.scales, u.offsets, glm::vec2(static_cast<float>(size)), reach);
+        const int number = static_cast<int>(at.w);
+        return {cascade_tile(number < 3 ? number : 3, size), glm::vec3(at)};
+    }
+};
+
+/// Faces with a projection each, of which a direction chooses one.
+template <std::size_t Faces>
+struct face_placing {
+    glm::vec3 position;
+    int size;
+    std::array<glm::mat4, Faces> to_texels;
+
+    face_placing(const std::array<light_space<float>, Faces>& faces, glm::vec3 from, int map_size)
+        : position(from), size(map_size) {
+        for (std::size_t i = 0; i < Faces; ++i) to_texels[i] = texture_matrix(faces[i], glm::ivec2(size));
+    }
+    [[nodiscard]] glm::vec3 on_face(int face, glm::vec3 world) const {
+        return project_coordinate(shadow_coordinate(to_texels[static_cast<std::size_t>(face)], world));
+    }
+};
+struct cube_placing : face_placing<6> {
+    static constexpr glm::ivec2 tiles{3, 2};
+    cube_placing(const point_light<float>& l, glm::ivec2, float)
+        : face_placing<6>(make_point_light(l), l.position, l.map_size) {}
+    [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
+        const int face = cube_face(world - position);
+        return {cube_tile(face, size), on_face(face, world)};
+    }
+};
+struct tetrahedron_placing : face_placing<4> {
+    static constexpr glm::ivec2 tiles{1, 1};
+    tetrahedron_placing(const tetrahedron_light<float>& l, glm::ivec2, float)
+        : face_placing<4>(make_tetrahedron_light(l), l.position, l.map_size) {}
+    [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
+        return {glm::ivec2(0), on_face(tetrahedron_face(world - position), world)};
+    }
+};
+struct paraboloid_placing {
+    static constexpr glm::ivec2 tiles{2, 1};
+    dual_paraboloid_light<float> light;
+    int size;
+
+    paraboloid_placing(const dual_paraboloid_light<float>& l, glm::ivec2, float) : light(l), size(l.map_size) {
+        static_cast<void>(make_dual_paraboloid_light(l));  // complains of what cannot be
+    }
+    [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
+        const glm::vec3 way = world - light.position, at = dual_paraboloid_coordinate(way);
+        const auto border = static_cast<float>(light.border), inner = static_cast<float>(size) - 2.0f * border;
+        const float depth = distance_depth(way, 1.0f / light.range);
+        return {{at.z > 0.5f ? size : 0, 0},
+                {at.x * inner + border, at.y * inner + border,
+                 light.clip.direction == depth_direction::forward ? depth : reverse_depth(depth)}};
+    }
+};
+
+template <class Light>
+struct placing_of;
+template <>
+struct placing_of<cascade_uniforms<float>> {
+    using type = cascade_placing;
+};
+template <>
+struct placing_of<point_light<float>> {
+    using type = cube_placing;
+};
+template <>
+struct placing_of<tetrahedron_light<float>> {
+    using type = tetrahedron_placing;
+};
+template <>
+struct placing_of<dual_paraboloid_light<float>> {
+    using type = paraboloid_placing;
+};
+
+}  // namespace detail
+
+/// Visibility of points from a light of several maps.
+///
+/// @param map         its texels, and the light that they were drawn for
+/// @param encoding    how the texels hold depth; its edge decides ties
+/// @param points      in the world, biased; what no cascade holds is lit, NaN too
+/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable as for
+///                    visibility. Texels beyond a tile are clamped to it: take the filter's reach as the light's border
+/// @param out         visibility, 1 lit; same size as points
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ, texels of another size than the light's tiles, filter and encoding of
+///                                different directions of depth, and what the light's make_ function complains of
+/// @exactness         the bits of the filter over each point's map: cascade_by_projection; cube_face or
+///                    tetrahedron_face and that face's texture_matrix; dual_paraboloid_coordinate and distance_depth
+template <class Encoding, class Light, class Filter, class ParallelFor = serial>
+void visibility(const light_map<typename Encoding::texel, Light>& map, const Encoding& encoding,
+                image_view<const glm::vec3> points, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
+    static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
+    constexpr auto function = "visibility";
+    detail::require_one_direction(encoding, filter);
+    detail::require_size(out.size, points.size, function, "out.size", "the size of points");
+    float reach = 0.0f;
+    if constexpr (requires { filter.reach(); }) reach = filter.reach();
+    using placing = typename detail::placing_of<Light>::type;
+    const placing place(map.light, map.texels.size, reach);
+    detail::require(place.size >= 1, function, "map.texels.size", "that of the light's tiles", map.texels.size);
+    detail::require_size(map.texels.size, placing::tiles * place.size, function, "map.texels.size",
+                         "that of the light's tiles");
+    parallel(out.size.y, [&](int first, int last) {
+        for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
+            for (p.x = 0; p.x < out.size.x; ++p.x) {
+                const detail::placed_receiver r = place(points[p]);
+                const auto tile = map.texels.region(r.tile, glm::ivec2(place.size));
+                out[p] = detail::filtered(filter, decoded(clamped(tile), encoding), glm::vec2(r.at), r.at.z, p);
+            }
+    });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/min_max.hpp
+// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
+//
+//     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
+//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
+//
+
+namespace umbrage {
+
+/// One level: an element for each square, those at the far borders cut off by them.
+struct depth_bounds {
+    image<float> least;     ///< NaN where a texel is NaN
+    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
+};
+
+namespace detail {
+
+/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
+template <class ParallelFor>
+void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
+    const glm::ivec2 size = to.least.size();
+    parallel(size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            const bool both = least.data != greatest.data;
+            alignas(64) std::int32_t keys[4][block];
+            alignas(64) float ends[2][2 * block];
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < size.x; x += block) {
+                    const int count = size.x - x < block ? size.x - x : block;
+                    const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
+                        const float* low = from.row(2 * y) + 2 * x;
+                        const float* high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
+                        if (const int there = from.size.x - 2 * x; there < 2 * block) {
+                            for (int i = 0; i < 2 * block; ++i) {
+                                const int k = i < there ? i : there - 1;
+                                ends[0][i] = low[k];
+                                ends[1][i] = high[k];
+                            }
+                            low = ends[0];
+                            high = ends[1];
+                        }
+                        for (int i = 0; i < block; ++i) {
+                            keys[0][i] = order_key(low[2 * i]);
+                            keys[1][i] = order_key(low[2 * i + 1]);
+                            keys[2][i] = order_key(high[2 * i]);
+                            keys[3][i] = order_key(high[2 * i + 1]);
+                        }
+                    };
+                    const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
+                        alignas(64) float depths[block];
+                        for (int i = 0; i < block; ++i)
+                            depths[i] =
+                                from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
+                        copy_floats(result + x, depths, count);
+                    };
+                    load(least);
+                    store(least_of{}, to.least.view().row(y));
+                    if (both) load(greatest);
+                    store(greatest_of{}, to.greatest.view().row(y));
+                }
+        });
+    });
+}
+
+}  // namespace detail
+
+/// @param map       depths, any values
+/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @return          as many levels; a level of a single element is followed by more of them
+/// @throws std::invalid_argument  empty map, or negative levels
+/// @exactness       A: selects, never computes
+template <class ParallelFor = serial>
+[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
+                                                             ParallelFor&& parallel = {}) {
+    detail::require(!map.empty(), "make_min_max_pyramid", "map.size", "above 0", map.size);
+    detail::require(levels >= 0, "make_min_max_pyramid", "levels", "0 or more", levels);
+    std::vector<depth_bounds> pyramid;
+    for (int level = 0; level < levels; ++level) {
+        const image_view<const float> least = level ? pyramid.back().least.view() : map;
+        const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
+        const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
+        depth_bounds next{image<float>(size), image<float>(size)};
+        detail::halve(least, greatest, next, parallel);
+        pyramid.push_back(std::move(next));
+    }
+    return pyramid;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/simd/sum_row.hpp
+// Running sums along a row of an image, and down to a row of its summed-area table.
+//
+//     band_sums<Sum> band(length, values.data, sums.data);
+//     Sum end = sum_row<streams, sum_lanes<Sum, Set>>(from, next_row, before, band.base, band.line, to, count);
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Floats are always added in fours, in the order that summed_area states; integers in any.
+template <class T, isa Set>
+inline constexpr int sum_lanes = std::is_integral_v<T>&& Set != isa::base ? running_sum_lanes : 4;
+
+/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has
+/// the same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table.
+/// The worst placement was measured to be five times as slow.
+template <class Sum>
+class band_sums {
+public:
+    band_sums(std::size_t length, const void* from, const void* to) : memory_(2 * length + 2 * page / sizeof(Sum)) {
+        const std::size_t a = last_bits(from), b = last_bits(to), ahead = (b - a) % page, behind = page - ahead;
+        base = place(memory_.data(), ahead > behind ? a + ahead / 3 : b + behind / 3);
+        line = place(base + length, ahead > behind ? a + 2 * ahead / 3 : b + 2 * behind / 3);
+    }
+    band_sums(const band_sums&) = delete;
+    band_sums& operator=(const band_sums&) = delete;
+
+private:
+    static constexpr std::size_t page = 4096;
+    static std::size_t last_bits(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; }
+    static Sum* place(Sum* from, std::size_t wanted) {
+        return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum);
+    }
+
+    std::vector<Sum> memory_;
+
+public:
+    Sum *base, *line;
+};
+
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`, or of
+/// integers `line` itself, which then holds all that is above.
+/// @param before     sum of the row's texels to the left
+/// @param next_row   comes after `from`
+/// @return           `before` and all texels, of whole blocks
+template <bool Streams, int Lanes, class From, class Sum>
+UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum before, const Sum* base, Sum* line,
+                                  Sum* to, int count) {
+    using few = lanes_of<Sum, Lanes>;
+    constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
+    constexpr int step = by_bytes ? 2 * Lanes : Lanes;
+    few carry;
+    for (int i = 0; i < Lanes; ++i) carry[i] = before;
+    const auto add_few = [&](auto streams, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
+        few sums, there;
+        load_lanes(lines, there);
+        sums = (carry + together) + there;
+        all_last<Lanes>(together);
+        carry = carry + together;
+        store_lanes(sums, lines);
+        if constexpr (!std::is_integral_v<Sum>) {
+            load_lanes(under, there);
+            sums = sums + there;
+        }
+        if constexpr (decltype(streams)::value) stream<sizeof sums>(out, &sums);
+        else store_lanes(sums, out);
+    };
+    const auto sum_some = [&](auto streams, const auto* values, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
+        few together;
+        if constexpr (by_bytes) {
+            few next;
+            running_sums_of_bytes(values, together, next);
+            add_few(streams, together, under, lines, out);
+            add_few(streams, next, under + Lanes, lines + Lanes, out + Lanes);
+        } else {
+            load_lanes(values, together);
+            running_sum<Lanes>(together);
+            add_few(streams, together, under, lines, out);
+        }
+    };
+    constexpr std::bool_constant<Streams> as_asked{};
+    if constexpr (Streams) prefetch_rest(to, count, step);
+    // Measured: the hardware prefetcher comes too late.
+    const auto prefetch = [&](int first) UMBRAGE_INLINE {
+        const int ahead = lesser(1536 / static_cast<int>(sizeof(From)), count), x = first + ahead;
+        prefetch_bytes(x < count ? from + x : next_row + (x - count), 0, block * static_cast<int>(sizeof(From)));
+    };
+    int x = 0;
+    if constexpr (by_bytes) {
+        for (; x + step <= count; x += step) {
+            if (x % block == 0) prefetch(x);
+            sum_some(as_asked, from + x, base + x, line + x, to + x);
+        }
+    } else {
+        // This block and the next, which is loaded before the stores that its loads could alias with.
+        alignas(64) Sum values[2][block];
+        const auto load = [&](int first) UMBRAGE_INLINE {
+            prefetch(first);
+            for (int i = 0; i < block; ++i) values[first / block % 2][i] = from[first + i];
+        };
+        if (block <= count) load(0);
+        for (; x + block <= count; x += block) {
+            if (x + 2 * block <= count) load(x + block);
+            const Sum* const now = values[x / block % 2];
+            for (int i = 0; i < block; i += step) sum_some(as_asked, now + i, base + x + i, line + x + i, to + x + i);
+        }
+    }
+    for (; x < count; x += step) {  // base and line are padded
+        const int there = count - x < step ? count - x : step;
+        std::conditional_t<by_bytes, From, Sum> rest[std::size_t(step)]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(step)];
+        for (int i = 0; i < there; ++i) rest[i] = from[x + i];
+        if (there == step) {
+            sum_some(as_asked, rest, base + x, line + x, to + x);
+        } else {
+            sum_some(std::false_type{}, rest, base + x, line + x, result);
+            for (int i = 0; i < there; ++i) to[x + i] = result[i];
+        }
+    }
+    return carry[0];
+}
+
+/// What sum_row returns, of whole blocks.
+template <int Lanes, class From, class Sum>
+UMBRAGE_INLINE inline Sum sum_of_row(const From* from, Sum before, int count) {
+    lanes_of<Sum, Lanes> carry, few;
+    for (int i = 0; i < Lanes; ++i) carry[i] = std::is_integral_v<Sum> ? Sum(0) : before;
+    for (int x = 0; x < count; x += block) {
+        alignas(64) Sum values[block];
+        for (int i = 0; i < block; ++i) values[i] = from[x + i];
+        for (int i = 0; i < block; i += Lanes) {
+            load_lanes(values + i, few);
+            if constexpr (!std::is_integral_v<Sum>) running_sum<Lanes>(few), all_last<Lanes>(few);
+            carry = carry + few;
+        }
+    }
+    if constexpr (!std::is_integral_v<Sum>) return carry[0];
+    running_sum<Lanes>(carry);
+    return before + carry[Lanes - 1];
+}
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/summed_area.hpp
+// Summed-area tables: the sum over any rectangle of an image from four texels.
+//
+//     umbrage::image<std::uint32_t> sums(values.size());
+//     umbrage::summed_area(values, sums);
+//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
+//
+// Prefer integers: quantize depths or moments first. Their tables are exact, whatever the order; a table of floats
+// loses bits as it grows, and its differences lose more.
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+namespace detail {
+
+/// Rows of a table that are summed from zero, then put on top of what is before them.
+inline constexpr int band_rows = 64;
+
+/// Columns of the strips that threads take: whole blocks, alike wide, two strips or more where there are two blocks.
+/// Each row of a strip lies on a page of its own, so that narrow ones are slower.
+[[nodiscard]] inline int columns_a_strip(int width) {
+    constexpr int widest = 1024;
+    const int strips = greater(2, (width + widest - 1) / widest);
+    return ((width + strips - 1) / strips + block - 1) / block * block;
+}
+
+/// Rows of a strip, of one band. `line` holds the sums of what is above them in the band, and then down to there.
+/// @param before   of each row, the sum of all to the left of the strip, and then up to its end
+template <class From, class Sum>
+void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large, Sum* before, const Sum* base,
+              Sum* line) {
+    const glm::ivec2 size = sums.size;
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
+        for (int y = 0; y < size.y; ++y) {
+            const int y_next = lesser(y + 1, size.y - 1);
+            const From *from = values.row(y), *next_row = values.row(y_next);
+            Sum* to = sums.row(y);
+            prefetch_line(sums.row(y_next));  // for its page's address: stores would wait for that
+            if (is_large && streams_to(to))
+                before[y] = sum_row<true, lanes>(from, next_row, before[y], base, line, to, size.x);
+            else before[y] = sum_row<false, lanes>(from, next_row, before[y], base, line, to, size.x);
+        }
+    });
+    if (is_large) finish_streaming();
+}
+
+/// The sums of each row up to where strips begin. Whoever has summed a strip gives them to who has the next one. Pieces
+/// run when and where a scheduler likes, so that none may wait for another: what is not there yet is added up again.
+template <class From, class Sum>
+class strip_starts {
+public:
+    strip_starts(image_view<const From> values, int strips, int columns)
+        : values_(values),
+          columns_(columns),
+          sums_(static_cast<std::size_t>(strips + 1) * static_cast<std::size_t>(values.size.y)),
+          rows_(static_cast<std::size_t>(strips + 1)) {
+        rows_[0] = values.size.y;
+    }
+
+    /// Of rows first <= y < last.
+    void take(int strip, int first, int last, Sum* sums) const {
+        int known = strip;
+        while (load_acquire(rows_[std::size_t(known)]) < last) --known;
+        std::copy_n(sums_.data() + place_of(known, first), last - first, sums);
+        const int left = known * columns_, width = strip * columns_ - left;
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
+            for (int y = first; y < last; ++y, ++sums) *sums = sum_of_row<lanes>(values_.row(y) + left, *sums, width);
+        });
+    }
+    /// The same, after those of the rows before.
+    void give(int strip, int first, int last, const Sum* sums) {
+        std::copy_n(sums, last - first, sums_.data() + place_of(strip, first));
+        store_release(last, rows_[std::size_t(strip)]);
+    }
+
+private:
+    [[nodiscard]] std::size_t place_of(int strip, int y) const {
+        return static_cast<std::size_t>(strip) * static_cast<std::size_t>(values_.size.y) + static_cast<std::size_t>(y);
+    }
+
+    image_view<const From> values_;
+    int columns_;
+    std::vector<Sum> sums_;  // strip by strip, and one behind the last
+    std::vector<int> rows_;  // whose sums are there, set by one thread while others look
+};
+
+}  // namespace detail
+
+/// Each texel: the sum of all in its row and the rows before, up to and including its column.
+///
+/// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
+/// @param sums      same size, other pixels
+/// @param parallel  cuts strips of up to 1024 columns into pieces, see parallel.hpp; best in their order, one after the
+///                  other or side by side: others read some of the image twice or more
+/// @throws std::invalid_argument  sizes differ
+/// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
+///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
+///              to that the texel above, in bands of 64 rows; to that the last row of the bands before, added up
+///              downwards
+template <class From, class Sum, class ParallelFor = serial>
+void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
+    using value = std::remove_const_t<From>;
+    static_assert(std::is_same_v<Sum, float> ? std::is_same_v<value, float>
+                                             : std::is_same_v<Sum, std::uint32_t> && std::is_unsigned_v<value> &&
+                                                   sizeof(value) <= sizeof(Sum));
+    detail::require_size(sums.size, values.size, "summed_area", "sums.size", "the values' size");
+    if (values.empty()) return;
+    constexpr bool in_one = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
+    const glm::ivec2 size = sums.size;
+    const int columns = in_one ? size.x : detail::columns_a_strip(size.x), strips = (size.x + columns - 1) / columns;
+    const bool is_large = detail::past_cache(sums);
+    detail::strip_starts<value, Sum> starts(values, strips, columns);
+    parallel(strips, [&](int first, int last) {
+        const int left = first * columns, width = detail::lesser(last * columns, size.x) - left;
+        const auto length = (static_cast<std::size_t>(width) + 15) / 16 * 16;
+        detail::band_sums<Sum> band(length, values.data + left, sums.data + left);
+        for (int y = 0; y < size.y; y += detail::band_rows) {
+            const int end = detail::lesser(y + detail::band_rows, size.y);
+            const auto part = [=](const auto& image) { return image.region({left, y}, {width, end - y}); };
+            Sum before[detail::band_rows];
+            starts.take(first, y, end, before);
+            detail::sum_rows<value, Sum>(part(values), part(sums), is_large, before, band.base, band.line);
+            starts.give(last, y, end, before);
+            if constexpr (std::is_integral_v<Sum>) continue;
+            for (std::size_t i = 0; i < length; ++i) band.base[i] = band.line[i] + band.base[i];
+            std::fill_n(band.line, length, Sum(0));
+        }
+    });
+}
+
+/// The same where one of the two is an image.
+template <class From, class Sums, class ParallelFor = serial>
+requires detail::some_image<From, Sums>
+void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
+    summed_area(detail::view_of(values), detail::view_of(sums), parallel);
+}
+
+/// Sum over a rectangle of the image that a table was made of.
+///
+/// @param sums     a table from summed_area
+/// @param first    lowest column and row
+/// @param last     highest column and row, they count too
+/// @return         what lies outside the image counts as 0, as does a rectangle with last < first
+/// @formula        S(last) - S(first.x - 1, last.y) - S(last.x, first.y - 1) + S(first - 1)
+/// @exactness      uint32_t A: exact while the rectangle's area times the greatest value < 2^32, even where sums of the
+///                 table have wrapped around. float B
+template <class T>
+[[nodiscard]] std::remove_const_t<T> box_sum(image_view<T> sums, glm::ivec2 first, glm::ivec2 last) {
+    const int left = first.x > 0 ? first.x : 0, right = last.x < sums.size.x ? last.x : sums.size.x - 1;
+    const int low = first.y > 0 ? first.y : 0, high = last.y < sums.size.y ? last.y : sums.size.y - 1;
+    if (left > right || low > high) return 0;
+    const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
+    return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
+}
+template <class T>
+[[nodiscard]] T box_sum(const image<T>& sums, glm::ivec2 first, glm::ivec2 last) {
+    return box_sum(sums.view(), first, last);
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/moment_table.hpp
+// Summed-area tables of a shadow map's four moments, and visibility of whole images from them.
+//
+//     umbrage::moment_table of{.radius = 16};
+//     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, of);
+//     umbrage::summed_visibility(table, of, receivers, 16, out);
+//
+// A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
+
+namespace umbrage {
+
+/// What a table is made for.
+struct moment_table {
+    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
+    glm::vec2 bias = msm_bias_16;
+    depth_direction direction = depth_direction::forward;
+};
+
+/// Sums of a map's moments for summed_moments.
+///
+/// @param map         depths; NaN counts as far
+/// @param of          the largest box, n texels of it within the map
+/// @return            two halves, each with one column and row more than the map: sums of 65535
+///                    to_optimized_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16,
+///                    and over 2^16
+/// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
+template <class ParallelFor = serial>
+[[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
+                                                    ParallelFor&& parallel = {}) {
+    constexpr auto function = "make_moment_table";
+    detail::require(!map.empty(), function, "map.size", "above 0", map.size);
+    detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
+    const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
+    const std::int64_t n =
+        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
+    detail::require(n <= 65537, function, "radius", "small enough for a box of 65537 texels", of.radius,
+                    "Sums in a larger box may reach 2^32.");
+
+    image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
+    const float cleared = cleared_depth(of.direction);
+    parallel(map.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < map.size.x; ++x)
+                codes[{x, y}] =
+                    glm::u16vec4(to_optimized_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
+    });
+    image<std::uint32_t> channel(map.size), sums(map.size);
+    for (glm::length_t c = 0; c < 4; ++c) {
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) channel[{x, y}] = codes[{x, y}][c];
+        summed_area(channel, sums, parallel);
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) {
+                const std::uint32_t sum = sums[{x, y}];
+                table[{x + 1, y + 1}][c] = static_cast<std::uint16_t>(sum & 0xFFFF);
+                table[{map.size.x + x + 2, y + 1}][c] = static_cast<std::uint16_t>(sum >> 16);
+            }
+    }
+    return table;
+}
+
+/// summed_moments of each receiver.
+/// @param table, of   from make_moment_table
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param radius      of the box, at most the table's
+/// @param out         visibility, 1 lit; same size as receivers
+/// @param outside     bordered: outside the map all is lit; clamped: as at its edge
+/// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
+template <class ParallelFor = serial>
+void summed_visibility(image_view<const glm::u16vec4> table, const moment_table& of,
+                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
+                       ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
+    constexpr auto function = "summed_visibility";
+    detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
+    detail::require(table.size.x >= 4 && table.size.x % 2 == 0 && table.size.y >= 2, function, "table.size",
+                    "that of a table of make_moment_table", table.size);
+    if (radius < 0 || radius > of.radius)
+        detail::refuse(function, "radius", std::string("from 0 to the table's, ").append(detail::printed(of.radius)),
+                       radius, "Make the table with this radius.");
+    const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
+    const auto reach = static_cast<float>(radius), cleared = cleared_depth(of.direction);
+    parallel(out.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < out.size.x; ++x) {
+                const glm::vec3 r = receivers.row(y)[x];
+                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, cleared, outside);
+            }
+    });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/overlay.hpp
+// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
+//
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
+//         return umbrage::false_color(s(depth));
+//     });
+//
+
+namespace umbrage {
+
+/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
+struct contrast_stretch {
+    float low = 0.0f, high = 1.0f;
+
+    [[nodiscard]] float operator()(float v) const {
+        if (is_nan(v) || v >= high) return 1.0f;
+        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
+    }
+};
+
+/// The range that a map's depths fill, without the texels that nothing was drawn to.
+///
+/// @param cleared   texels of this value are left out, as are NaN and the infinities
+/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
+/// @return      0..1 when no texel is left
+/// @throws std::invalid_argument  outliers out of range
+template <class = detail::on_use>
+[[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
+    detail::require(outliers >= 0.0 && outliers < 0.5, "stretch", "outliers", "0 or more and below 1/2", outliers);
+    std::vector<float> depths;
+    for (int y = 0; y < map.size.y && !map.empty(); ++y)
+        for (int x = 0; x < map.size.x; ++x)
+            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
+    if (depths.empty()) return {};
+    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
+    const auto ranked = [&](auto at) {
+        std::nth_element(depths.begin(), at, depths.end());
+        return *at;
+    };
+    return {ranked(depths.begin() + given_up), ranked(depths.end() - 1 - given_up)};
+}
+
+/// Where an overlay goes: the top left corner, as people see it.
+struct overlay_placement {
+    glm::ivec2 size{0, 0};                                ///< in texels of the picture; a zero takes the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
+    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
+};
+
+/// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
+/// What does not fit is cut off.
+///
+/// @param color   float -> color, given the map's texels as they are: a float is a gray, a vec3 red, green and blue,
+///                all in [0, 1]
+/// @throws std::invalid_argument  negative size
+template <class Color>
+void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
+             Color&& color) {
+    detail::require(place.size.x >= 0 && place.size.y >= 0, "overlay", "place.size", "0 or more", place.size);
+    if (map.empty()) return;
+    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
+    const auto nearest = [](int i, double count, double from) {
+        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
+    };
+    const auto row_from_top = [](int y, int count, texture_origin origin) {
+        return origin == texture_origin::top ? y : count - 1 - y;
+    };
+    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
+        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
+        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
+        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
+            out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
+    }
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/adaptive/pages.hpp
+// Which pages of a light's root square a view needs, so that shadows are as fine as the screen, and which of an
+// atlas' slots hold them: pages stay where they are from frame to frame, those least recently needed are given up.
+//
+//     umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = 10});
+//     for (;;) {  // receivers: umbrage::page_receiver{coordinate in the root, longest_extent in a map of one page}
+//         const umbrage::page_update update = cache.update(receivers);
+//         umbrage::draw_pages(atlas, layout, root, update.drawn, draw);  // see images/page_atlas.hpp
+//     }
+//
+
+namespace umbrage {
+
+/// A square of the root, whose side is the root's over 2^level: the x-th from the left, the y-th from the first row.
+struct page {
+    int level = 0, x = 0, y = 0;
+
+    friend auto operator<=>(const page&, const page&) = default;  ///< coarse ones first
+};
+
+/// The page of a level that holds a point.
+/// @param coord   1 .. 2 across the root, 2 not included
+template <class = detail::on_use>
+[[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
+    const double across = std::ldexp(1.0, level);
+    return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
+}
+
+/// A point that the view sees.
+struct page_receiver {
+    glm::vec2 coord{1};   ///< 1 .. 2 across the root
+    float extent = 0.0f;  ///< longest_extent of a texel of the coarsest page, pixels
+};
+
+namespace detail {
+
+/// The least level in which no texel's longer axis covers more pixels than wanted; -1 of receivers that want none.
+template <class = on_use>
+[[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
+    const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
+    if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
+    return static_cast<int>(detail::limited(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
+}
+
+/// To pages in the making, where it is not the last already.
+template <class = on_use>
+inline void add(const page& p, std::vector<page>& pages) {
+    if (pages.empty() || p != pages.back()) pages.push_back(p);
+}
+/// Each once, coarse ones first.
+template <class = on_use>
+void tidy(std::vector<page>& pages) {
+    std::sort(pages.begin(), pages.end());
+    pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
+}
+
+}  // namespace detail
+
+/// The pages of the least level in which no texel's longer axis covers more pixels than wanted.
+/// @param receivers       those beside the root, and of an extent that is not finite or not above 0, want none
+/// @param target          pixels, > 0
+/// @param deepest_level   0 .. 15, whatever that leaves
+/// @return                each once, coarse ones first
+/// @formula               level = ceil(log2(extent / target))
+/// @throws std::invalid_argument  target or deepest_level out of range
+template <class = detail::on_use>
+[[nodiscard]] std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
+                                             int deepest_level) {
+    constexpr auto function = "wanted_pages";
+    detail::require(is_finite(target) && target > 0.0, function, "target", "finite and above 0", target);
+    detail::require(deepest_level >= 0 && deepest_level <= deepest_page_level, function, "deepest_level",
+                    "from 0 to 15", deepest_level);
+    std::vector<page> pages;
+    for (const page_receiver& r : receivers) {
+        const int level = detail::wanted_level(r, target, deepest_level);
+        if (level < 0) continue;
+        detail::add(page_at(glm::dvec2(r.coord), level), pages);
+    }
+    detail::tidy(pages);
+    return pages;
+}
+
+/// What a cache is made for.
+struct page_budget {
+    glm::ivec2 slots{16};    ///< columns and rows of pages that the atlas has, each 1 .. 256
+    int deepest_level = 10;  ///< 0 .. 15: of the finest pages; a table has 2^deepest_level texels a side
+    double target = 1.0;     ///< pixels that a texel may cover, > 0
+};
+
+/// A page and where the atlas holds it.
+struct placed_page {
+    umbrage::page page;
+    glm::ivec2 slot;
+};
+
+/// What has changed from one view to the next.
+struct page_update {
+    std::vector<placed_page> drawn{};  ///< pages that are to be drawn, coarse ones first
+    double target = 0.0;               ///< pixels that a texel covers at most: the budget's target, or more
+    std::size_t kept = 0;              ///< pages needed that were there
+    std::size_t given_up = 0;          ///< pages that others took the place of,
+    std::size_t forced = 0;            ///< and of these such as the view needs for the budget's target: shadows pop
+};
+
+/// Pages that stay in their slots as long as nothing finer, nearer or newer wants these.
+///
+/// The root's own page is always there, so that there is shadow everywhere in it; where the view needs no finer pages
+/// any more, those that are left serve until others need their slots. Where the wanted pages are more than the slots,
+/// the target is raised by steps of a sixteenth of an octave until they fit; it comes down again when as many as seven
+/// eighths of the slots suffice, so that it does not swing.
+/// @cite   Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
+class page_cache {
+public:
+    /// @throws std::invalid_argument  slots, deepest_level or target out of range
+    template <class = detail::on_use>
+    explicit page_cache(const page_budget& budget) : budget_(budget), target_(budget.target) {
+        constexpr auto function = "page_cache";
+        const auto fits = [](int n) { return n >= 1 && n <= 256; };
+        detail::require(fits(budget.slots.x) && fits(budget.slots.y), function, "slots", "from 1 to 256 each",
+                        budget.slots);
+        detail::require(budget.deepest_level >= 0 && budget.deepest_level <= deepest_page_level, function,
+                        "deepest_level", "from 0 to 15", budget.deepest_level);
+        detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target", "finite and above 0",
+                        budget.target);
+        for (int y = budget.slots.y; y-- > 0;)
+            for (int x = budget.slots.x; x-- > 0;) free_.push_back({x, y});
+    }
+
+    /// Takes in what a view sees.
+    template <class = detail::on_use>
+    page_update update(std::span<const page_receiver> receivers) {
+        ++now_;
+        page_update result;
+        std::vector<page> missing;
+        const std::vector<page> needed = fitting(receivers);
+        auto here = resident_.begin();
+        for (const page& p : needed) {
+            while (here != resident_.end() && here->page < p) ++here;
+            if (here == resident_.end() || here->page != p) missing.push_back(p);
+            else here->needed = now_, ++result.kept;
+        }
+        const std::vector<page> given_up =
+            give_up(missing.size() > free_.size() ? missing.size() - free_.size() : std::size_t(0));
+        for (const page& p : missing) {
+            result.drawn.push_back({p, free_.back()});
+            resident_.push_back({p, free_.back(), now_});
+            free_.pop_back();
+        }
+        std::sort(resident_.begin(), resident_.end(), [](const held& a, const held& b) { return a.page < b.page; });
+        result.target = target_;
+        result.given_up = given_up.size();
+        if (target_ > budget_.target && !given_up.empty()) result.forced = popped(receivers, given_up);
+        return result;
+    }
+
+    /// All that must be drawn anew: casters or the light have moved.
+    template <class = detail::on_use>
+    void forget() {
+        for (const held& h : resident_) free_.push_back(h.slot);
+        resident_.clear();
+    }
+
+    [[nodiscard]] const page_budget& budget() const { return budget_; }
+    [[nodiscard]] std::size_t size() const { return resident_.size(); }
+
+    /// Calls use(page, slot) for every page that is there, coarse ones first.
+    template <class Use>
+    void for_each(Use&& use) const {
+        for (const held& h : resident_) use(h.page, h.slot);
+    }
+
+    /// The level of the finest page that holds a point; -1 where there is none.
+    /// @param coord   1 .. 2 across the root, 2 not included
+    template <class = detail::on_use>
+    [[nodiscard]] int level_at(glm::dvec2 coord) const {
+        int level = budget_.deepest_level;
+        while (level >= 0 && !find(page_at(coord, level))) --level;
+        return level;
+    }
+
+private:
+    struct held {
+        umbrage::page page;
+        glm::ivec2 slot;
+        std::uint64_t needed;  ///< in which update last
+    };
+
+    [[nodiscard]] std::size_t slots() const {
+        return static_cast<std::size_t>(budget_.slots.x) * static_cast<std::size_t>(budget_.slots.y);
+    }
+
+    /// nullptr: the page is not there.
+    template <class = detail::on_use>
+    [[nodiscard]] const held* find(const page& p) const {
+        const auto at = std::lower_bound(resident_.begin(), resident_.end(), p,
+                                         [](const held& h, const page& sought) { return h.page < sought; });
+        return at != resident_.end() && at->page == p ? &*at : nullptr;
+    }
+
+    /// The root and what is wanted besides, with the target moved until it fits.
+    template <class = detail::on_use>
+    [[nodiscard]] std::vector<page> fitting(std::span<const page_receiver> receivers) {
+        const double step = std::exp2(1.0 / 16.0);
+        const auto wanted = [&](double target) {
+            std::vector<page> pages = wanted_pages(receivers, target, budget_.deepest_level);
+            if (pages.empty() || pages.front() != page{}) pages.insert(pages.begin(), page{});
+            return pages;
+        };
+        std::vector<page> pages = wanted(target_);
+        while (pages.size() > slots()) pages = wanted(target_ *= step);
+        while (target_ > budget_.target) {
+            const double finer = detail::greater(target_ / step, budget_.target);
+            std::vector<page> more = wanted(finer);
+            if (more.size() * 8 > slots() * 7) break;
+            target_ = finer;
+            pages.swap(more);
+        }
+        return pages;
+    }
+
+    /// Frees slots: of the pages not needed now the least recently needed, of these the finest.
+    /// @return   the pages, in their order
+    template <class = detail::on_use>
+    std::vector<page> give_up(std::size_t count) {
+        std::vector<page> pages;
+        if (count == 0) return pages;
+        std::sort(resident_.begin(), resident_.end(), [](const held& a, const held& b) {
+            return a.needed != b.needed ? a.needed > b.needed : a.page < b.page;
+        });
+        for (std::size_t i = 0; i < count; ++i) {
+            pages.push_back(resident_.back().page);
+            free_.push_back(resident_.back().slot);
+            resident_.pop_back();
+        }
+        detail::tidy(pages);
+        return pages;
+    }
+
+    /// How many of the pages given up some receiver looked into that the budget's target would have it look into still.
+    template <class = detail::on_use>
+    [[nodiscard]] std::size_t popped(std::span<const page_receiver> receivers,
+                                     const std::vector<page>& given_up) const {
+        std::vector<page> pops;
+        for (const page_receiver& r : receivers) {
+            const int asked = detail::wanted_level(r, budget_.target, budget_.deepest_level);
+            const int found = asked < 0 ? asked : level_at(glm::dvec2(r.coord));
+            if (found >= asked) continue;
+            for (int level = budget_.deepest_level; level > found; --level) {
+                const page p = page_at(glm::dvec2(r.coord), level);
+                if (!std::binary_search(given_up.begin(), given_up.end(), p)) continue;
+                detail::add(p, pops);
+                break;
+            }
+        }
+        detail::tidy(pops);
+        return pops.size();
+    }
+
+    page_budget budget_;
+    double target_;
+    std::uint64_t now_ = 0;
+    std::vector<held> resident_;  // coarse pages first
+    std::vector<glm::ivec2> free_;
+};
+
+}  // namespace umbrage
+
 // ---- umbrage/light/adaptive/root.hpp
 // The square of the world that the pages of an adaptive map lie in, as a directional light sees it: it stays where it
 // is while the camera moves, and so does every page in it.
@@ -16923,8 +17652,8 @@ template <real T = float>
     constexpr auto function = "make_page_root";
     detail::require_given(root.clip, function);
     detail::require_given(root.scene, function, "scene");
-    detail::require(detail::all_finite(root.center), function, "center", "must be finite");
-    detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
+    detail::require(detail::all_finite(root.center), function, "center", "finite", root.center);
+    detail::require(is_finite(root.side) && root.side > T(0), function, "side", "finite and above 0", root.side);
     light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),
                                                  root.clip.hand, function, ""),
                               {},
@@ -16954,13 +17683,14 @@ template <real T>
 template <real T>
 [[nodiscard]] light_space<T> page_light(const light_space<T>& root, const page& p, const page_size& size) {
     constexpr auto function = "page_light";
-    detail::require(p.level >= 0 && p.level <= deepest_page_level, function, "level", "must lie between 0 and 15");
+    detail::require(p.level >= 0 && p.level <= deepest_page_level, function, "level", "from 0 to 15", p.level);
     const int across = 1 << p.level;
-    detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "must lie in the root");
-    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels",
-                    "must be a power of two");
-    detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter",
-                    "must lie between 0 and half the texels");
+    detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "in the root",
+                    glm::ivec2(p.x, p.y));
+    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels", "a power of two",
+                    size.texels);
+    detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter", "from 0 to half the texels",
+                    size.gutter);
     const double scale = double(across) * size.texels / size.pitch();
     const double up = root.clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     const glm::dvec2 middle((2 * p.x + 1.0) / across - 1.0, up * ((2 * p.y + 1.0) / across - 1.0));
@@ -16983,7 +17713,7 @@ template <real T>
 //     });
 //     umbrage::image<glm::u8vec4> table(umbrage::page_table_size(cache));
 //     umbrage::write_page_table(cache, table);
-//     umbrage::page_visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
+//     umbrage::visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
 
 namespace umbrage {
@@ -17011,8 +17741,7 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
     for (const auto& [page, slot] : pages) {
         const light_space<double> light = page_light(root, page, size);
         const image_view<float> map = atlas.region(slot * size.pitch(), glm::ivec2(size.pitch()));
-        for (int y = 0; y < map.size.y; ++y)
-            detail::fill(map.row(y), std::size_t(map.size.x), cleared_depth(root.clip));
+        for (int y = 0; y < map.size.y; ++y) std::fill_n(map.row(y), map.size.x, cleared_depth(root.clip));
         draw(map, glm::mat4(light.projection * light.view));
     }
 }
@@ -17021,15 +17750,13 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 /// @param table   of page_table_size, gets a page_entry for each of the cache's finest cells, row 1 the root's first;
 ///                no page, and around the root: zeros
 /// @throws std::invalid_argument  a table of another size
-template <class = detail::on_use>
-void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
-    detail::require(table.size == page_table_size(cache), "write_page_table", "table",
-                    "must have 2^deepest_level + 2 a side");
-    for (int y = 0; y < table.size.y; ++y) detail::fill(table.row(y), std::size_t(table.size.x), glm::u8vec4(0));
+inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
+    detail::require_size(table.size, page_table_size(cache), "write_page_table", "table.size", "page_table_size");
+    for (int y = 0; y < table.size.y; ++y) std::fill_n(table.row(y), table.size.x, glm::u8vec4(0));
     cache.for_each([&](const page& p, glm::ivec2 slot) {
         const int cells = (table.size.x - 2) >> p.level;
         for (int y = p.y * cells; y < (p.y + 1) * cells; ++y)
-            detail::fill(table.row(1 + y) + 1 + p.x * cells, std::size_t(cells), page_entry(slot, p.level));
+            std::fill_n(table.row(1 + y) + 1 + p.x * cells, cells, page_entry(slot, p.level));
     });
 }
 
@@ -17046,24 +17773,26 @@ namespace detail {
 template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding& encoding, const Receivers& receivers,
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
-    constexpr auto function = "page_visibility";
+    constexpr auto function = "visibility";
     const int side = map.table.size.x, pitch = map.size.pitch();
-    require(size_of(receivers) == out.size, function, "out", "must have the receivers' size");
-    require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table",
-            "must be a square of a power of two and 2");
-    require(map.size.texels >= 1 && map.size.gutter >= 0, function, "size", "must be a page's");
+    require_size(out.size, size_of(receivers, function), function, "out.size", "the receivers' size");
+    require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table.size",
+            "square, a power of two and 2 a side", map.table.size);
+    require(map.size.texels >= 1, function, "size.texels", "above 0", map.size.texels);
+    require(map.size.gutter >= 0, function, "size.gutter", "0 or more", map.size.gutter);
     if constexpr (requires { filter.reach(); })
-        require(float(map.size.gutter) >= filter.reach(), function, "gutter", "must be the filter's reach or more");
+        require(float(map.size.gutter) >= filter.reach(), function, "size.gutter",
+                std::string("the filter's reach or more, ").append(printed(filter.reach())), map.size.gutter);
     for (int y = 0; y < side; ++y)
         for (const glm::u8vec4& entry : std::span(map.table.row(y), static_cast<std::size_t>(side)))
             require(glm::all(glm::lessThanEqual((glm::ivec2(entry) + 1) * pitch, map.atlas.size)), function, "table",
-                    "has slots beyond the atlas");
+                    "of slots that the atlas has", glm::ivec2(entry));
     const auto table = [&](glm::ivec2 cell) { return map.table[cell]; };
     const auto page = static_cast<float>(map.size.texels), gutter = static_cast<float>(map.size.gutter);
     for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float depth, glm::ivec2 pixel) {
         const glm::vec4 at = page_coordinate(table, static_cast<float>(side), coord, page, gutter);
         const auto texels = map.atlas.region(glm::ivec2(at.z, at.w), glm::ivec2(pitch));
-        visibility = filtered(filter, decoded(texels, encoding), glm::vec2(at), depth, pixel);
+        visibility = filtered(filter, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
     });
 }
 
@@ -17081,22 +17810,317 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 ///                                beyond the atlas, a gutter below the filter's reach
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
-void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                     image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                     ParallelFor&& parallel = {}) {
+void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
     detail::filter_pages(map, encoding, receivers, filter, out, parallel);
 }
 template <class Encoding, class Filter, class ParallelFor = serial>
-void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                     const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                     ParallelFor&& parallel = {}) {
+void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                const receiver_planes& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
     detail::filter_pages(map, encoding, receivers, filter, out, parallel);
 }
 template <class Encoding, class Filter, class ParallelFor = serial>
-void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                     const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                     ParallelFor&& parallel = {}) {
+void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                const depth_receivers& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
     detail::filter_pages(map, encoding, receivers, filter, out, parallel);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/blocks/plane_forms.hpp
+// Which blocks a filter has for receivers that are compared along their own planes, and those blocks.
+//
+// At the map's border a clamped texel keeps its own place on the plane, so that a form which clamps is right only where
+// a filter stays inside the map: plane_visibility.hpp calls the filter itself for the rest.
+
+namespace umbrage::detail {
+
+/// A filter's blocks for receivers with planes.
+template <class Blocks>
+struct plane_blocks {
+    static constexpr bool rounds = true;  ///< products of slopes: no FMA
+    struct placed : Blocks::placed {
+        plane_block planes;
+    };
+    const Blocks& of;
+    float cleared;  ///< depth of the far plane
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
+        if constexpr (requires { of.place(receivers, at, pixel_y); }) of.place(receivers, at, pixel_y);
+        else of.place(receivers, at);
+        at.planes.copy(receivers, cleared);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        of(at, count, visibility, set);
+    }
+};
+
+/// Boxes of any radius; of radius 0 the receiver's own texel.
+template <depth_direction Direction>
+struct plane_box_blocks {
+    using test = block_test<Direction>;
+    static constexpr int lanes = 8;
+    using ints = lanes_of<std::int32_t, lanes>;
+    struct placed {
+        alignas(64) std::int32_t x[block], y[block], inside[block], compared[block];  ///< first texel of the box
+        alignas(64) float z[block];
+    };
+    image_view<const float> map;
+    int radius;
+
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map);
+        const int last_x = map.size.x - side(), last_y = map.size.y - side(), before = radius;
+        alignas(64) std::int32_t offsets[block];
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), at.compared[i])) - before;
+            const std::int32_t y = floor_int(masked(receivers.y(i), at.compared[i])) - before;
+            const std::int32_t inside = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            offsets[i] = memory.offset(x & inside, y & inside);
+            at.inside[i] = inside & at.compared[i] & number_mask(receivers.z(i));
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = receivers.z(i);
+        }
+        prefetch(memory, offsets, last_y < 0 ? 1 : side());
+    }
+    template <class Placed, class Isa>
+    UMBRAGE_INLINE void operator()(const Placed& at, int count, float* visibility, Isa set) const {
+        out_of_line(set, [&](auto) UMBRAGE_INLINE {
+            std::int32_t window[24 + lanes]{};
+            for (int i = 0; i < side(); ++i) window[i] = -1;
+            alignas(64) std::int32_t lit[block]{};
+            for (int i = 0; i < count; ++i)
+                if (at.inside[i]) lit[i] = count_box(at, i, window);
+            const float scale = box_scale<float>(radius);
+            for (int i = 0; i < block; ++i)
+                visibility[i] = select(-std::int32_t(lit[i] == side() * side()) | ~at.compared[i], 1.0f,
+                                       static_cast<float>(lit[i]) * scale);
+        });
+    }
+
+private:
+    /// @param window   lanes of a row that the box has: all bits
+    template <class Placed>
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count_box(const Placed& at, int i, const std::int32_t* window) const {
+        const int x = at.x[i], y = at.y[i], registers = (side() + lanes - 1) / lanes;
+        if (x + registers * lanes > map.size.x) {  // a register would end outside the map
+            std::int32_t lit = 0;
+            for (int row = y; row < y + side(); ++row)
+                for (int column = x; column < x + side(); ++column) {
+                    const float stored = *texel_at(map, column, row);
+                    lit += test::lit(at.z[i], moved_texel(at, i, stored, column, row));
+                }
+            return lit;
+        }
+        ints lit{}, mask, kept;
+        const auto on_planes = rows_on_planes<lanes>(at, i, x, y, side());
+        for (int r = 0; r < registers; ++r) {
+            load_lanes(window + r * lanes, kept);
+            for (int row = y; row < y + side(); ++row) {
+                lanes_of<float, lanes> texels;
+                load_lanes(texel_at(map, x + r * lanes, row), texels);
+                on_planes.move(r * lanes, row - y, texels);
+                lit_lanes<lanes, test::forward>(at.z[i], texels, mask);
+                lit -= mask & kept;
+            }
+        }
+        std::int32_t sums[2];
+        sum_two_lanes<lanes>(lit, lit, sums);
+        return sums[0];
+    }
+};
+
+/// How a filter works on receivers with planes; the primary template: it is called for each of them.
+template <class Filter>
+struct plane_form;
+template <class Filter>
+concept has_plane_form = requires {
+    plane_form<Filter>::need;
+};
+
+template <>
+struct plane_form<filters::window> : block_form<filters::window> {};
+template <>
+struct plane_form<filters::rotated_disc> : block_form<filters::rotated_disc> {};
+template <>
+struct plane_form<filters::pcss> : block_form<filters::pcss> {};
+template <>
+struct plane_form<filters::dpcf> : block_form<filters::dpcf> {};
+
+/// A window of one weight: the same four texels, weights and sum.
+template <>
+struct plane_form<filters::pcf_2x2> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 2;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+        constexpr window_row one = make_window_row(1, {1.0f});
+        const window_table weights(one);
+        use(window_blocks<Direction>{map.map, one, weights});
+    }
+};
+
+template <class Filter>
+struct plane_box_form {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
+        int radius = 0;
+        if constexpr (requires { filter.radius; }) radius = clamp_int(filter.radius, max_box_radius);
+        use(plane_box_blocks<Direction>{map.map, radius});
+    }
+};
+template <>
+struct plane_form<filters::hard> : plane_box_form<filters::hard> {};
+template <>
+struct plane_form<filters::box> : plane_box_form<filters::box> {};
+template <>
+struct plane_form<filters::hierarchical_box> : plane_box_form<filters::hierarchical_box> {};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/plane_visibility.hpp
+// A whole image of receivers against a shadow map, each along its own plane: no reach of a filter needs a bias. It is
+// the bias for contact hardening (PCSS, DPCF), whose radius differs from receiver to receiver.
+//
+//     umbrage::sloped_receivers receivers{{x, y, depth}, slope_x, slope_y};  // plane_slope of each receiver
+//     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::pcss{.softness = soft}, out);
+//
+// Bit for bit what the filter gives for each receiver alone over apply_receiver_plane(fetch, slope, coord).
+
+namespace umbrage {
+
+/// Receivers with their planes, as five images of one size.
+struct sloped_receivers {
+    receiver_planes at;                        ///< x and y in texels of the map, depth with a bias for rounding alone
+    image_view<const float> slope_x, slope_y;  ///< change of depth from one texel to the next: plane_slope
+};
+
+namespace detail {
+
+[[nodiscard]] inline glm::ivec2 size_of(const sloped_receivers& receivers, const char* function) {
+    const glm::ivec2 size = size_of(receivers.at, function);
+    require_size(receivers.slope_x.size, size, function, "receivers.slope_x.size", "that of receivers.at");
+    require_size(receivers.slope_y.size, size, function, "receivers.slope_y.size", "that of receivers.at");
+    return size;
+}
+
+/// A block of them, read where they are; of a row's last, shorter block a copy.
+struct sloped_rows : receiver_rows {
+    const float *first_slope_x, *first_slope_y;
+    [[nodiscard]] UMBRAGE_INLINE float slope_x(int i) const { return first_slope_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float slope_y(int i) const { return first_slope_y[i]; }
+};
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const sloped_receivers& from, const block_walk& at, Isa, const Use& use) {
+    const float* const first[]{from.at.x.row(at.y) + at.x, from.at.y.row(at.y) + at.x, from.at.depth.row(at.y) + at.x,
+                               from.slope_x.row(at.y) + at.x, from.slope_y.row(at.y) + at.x};
+    if (at.count() == block) return use(sloped_rows{{first[0], first[1], first[2]}, first[3], first[4]});
+    alignas(64) float copy[5][block]{};
+    for (int k = 0; k < 5; ++k) copy_floats(copy[k], first[k], at.count());
+    use(sloped_rows{{copy[0], copy[1], copy[2]}, copy[3], copy[4]});
+}
+UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_walk& at) {
+    prefetch(from.at, at);
+    for (const auto* slope : {&from.slope_x, &from.slope_y}) prefetch(*slope, at);
+}
+
+/// Receivers near the map's edge are left to filter_planes.
+struct no_edge {
+    [[nodiscard]] UMBRAGE_INLINE bool meets(const auto&) const { return false; }
+    UMBRAGE_INLINE void filter_again(const auto&, const block_walk&, float*) const {}
+};
+
+/// The filter itself for receivers whose texels may lie outside the map, or for all.
+template <class Filter, class Fetch, class ParallelFor>
+void filter_planes(const sloped_receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& fetch,
+                   depth_direction direction, image_view<float> out, ParallelFor&& parallel, bool all) {
+    float margin = 0.0f;
+    if constexpr (requires { filter.reach(); }) margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
+    const glm::vec2 last = map_size - margin;
+    const auto inside = [&](glm::ivec2 p) {  // all of a block, as most are
+        const float *const x = receivers.at.x.row(p.y) + p.x, *const y = receivers.at.y.row(p.y) + p.x;
+        std::int32_t count = 0;
+        for (int i = 0; i < block; ++i)
+            count += std::int32_t(x[i] >= margin) & std::int32_t(y[i] >= margin) & std::int32_t(x[i] <= last.x) &
+                     std::int32_t(y[i] <= last.y);
+        return count == block;
+    };
+    parallel(out.size.y, [&](int begin, int end) {
+        for (glm::ivec2 p{0, begin}; p.y < end; ++p.y)
+            for (p.x = 0; p.x < out.size.x; ++p.x) {
+                if (!all && p.x % block == 0 && p.x + block <= out.size.x && inside(p)) {
+                    p.x += block - 1;
+                    continue;
+                }
+                const glm::vec2 c(receivers.at.x[p], receivers.at.y[p]);
+                if (!all && c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) continue;
+                const glm::vec2 slope(receivers.slope_x[p], receivers.slope_y[p]);
+                out[p] =
+                    filtered(filter, apply_receiver_plane(fetch, slope, c, direction), c, receivers.at.depth[p], p);
+            }
+    });
+}
+
+}  // namespace detail
+
+/// Visibility of receivers along their planes: of the filter over apply_receiver_plane(fetch, slope, coord), for each.
+///
+/// @param map         shadow map, texels of the encoding; of a spot light z/w, in which a plane stays a plane
+/// @param encoding    how the map's texels hold depth, and which way it runs
+/// @param receivers   with the slopes of their planes
+/// @param filter      as for visibility of receivers without planes. Callables of your own, filters::four_tap and
+///                    pcf_2x2_dx_sdk are called receiver by receiver: many times slower than the others
+/// @param out         visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
+/// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
+/// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                const sloped_receivers& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
+    static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
+    detail::require_one_direction(encoding, filter);
+    detail::require_size(out.size, detail::size_of(receivers, "visibility"), "visibility", "out.size",
+                         "the receivers' size");
+    detail::require(!map.empty(), "visibility", "map.size", "above 0", map.size);
+    if (out.empty()) return;
+    const float cleared = detail::far_depth(encoding, filter);
+    const depth_direction direction = cleared > 0.5f ? depth_direction::forward : depth_direction::reversed;
+    bool done = false;
+    if constexpr (detail::has_plane_form<Filter>) {
+        using form = detail::plane_form<Filter>;
+        const auto rows = [&]<class Blocks>(const Blocks& of) {
+            const detail::plane_blocks<Blocks> blocks{of, cleared};
+            parallel(out.size.y, [&](int first, int last) {
+                detail::filter_rows(receivers, blocks, detail::no_edge{}, out, first, last);
+            });
+        };
+        done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
+            if (direction == depth_direction::forward)
+                form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
+        });
+    }
+    const auto by_itself = [&](const auto& fetch) {
+        detail::filter_planes(receivers, glm::vec2(map.size), filter, fetch, direction, out, parallel, !done);
+    };
+    const auto clamped_map = decoded(clamped(map), encoding);
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
+    if (outside == outside_map::bordered) by_itself(detail::erase(bordered_map));
+    else by_itself(detail::erase(clamped_map));
 }
 
 }  // namespace umbrage
@@ -17115,7 +18139,7 @@ namespace umbrage::prefilters {
 /// Depth and its square: two floats of 32 bits. Light bleeds through behind casters that lie behind each other.
 struct vsm {
     using texel = glm::vec2;
-    static constexpr literal name = "vsm";
+    static constexpr std::string_view name = "vsm";
     static constexpr const glsl::snippet *writer = &glsl::encode_vsm, *snippet = &glsl::vsm;
 
     float min_variance = 1e-6f;
@@ -17130,7 +18154,7 @@ struct vsm {
 /// One power of depth. Light bleeds through where a lit surface lies behind the receiver in the same window.
 struct esm {
     using texel = float;
-    static constexpr literal name = "esm";
+    static constexpr std::string_view name = "esm";
     static constexpr const glsl::snippet *writer = &glsl::encode_esm, *snippet = &glsl::esm;
 
     esm_settings settings{};
@@ -17147,7 +18171,7 @@ struct esm {
 /// A power of depth and its square.
 struct evsm2 {
     using texel = glm::vec2;
-    static constexpr literal name = "evsm2";
+    static constexpr std::string_view name = "evsm2";
     static constexpr const glsl::snippet *writer = &glsl::encode_evsm2, *snippet = &glsl::evsm2;
 
     evsm_parameters parameters = make_evsm({});
@@ -17164,7 +18188,7 @@ struct evsm2 {
 /// A growing and a falling power, and their squares: the least light of those with moments of two depths.
 struct evsm4 {
     using texel = glm::vec4;
-    static constexpr literal name = "evsm4";
+    static constexpr std::string_view name = "evsm4";
     static constexpr const glsl::snippet *writer = &glsl::encode_evsm4, *snippet = &glsl::evsm4;
 
     evsm_parameters parameters = make_evsm({});
@@ -17181,7 +18205,7 @@ struct evsm4 {
 /// Four moments in floats of 32 bits.
 struct msm {
     using texel = glm::vec4;
-    static constexpr literal name = "msm";
+    static constexpr std::string_view name = "msm";
     static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm;
 
     glm::vec2 bias = msm_bias_32;
@@ -17197,7 +18221,7 @@ struct msm {
 /// Four moments for channels of 16 bits.
 struct msm_unorm16 {
     using texel = glm::vec4;
-    static constexpr literal name = "msm_unorm16";
+    static constexpr std::string_view name = "msm_unorm16";
     static constexpr const glsl::snippet *writer = &glsl::to_optimized_moments, *snippet = &glsl::msm_unorm16;
 
     glm::vec2 bias = msm_bias_16;
@@ -17217,7 +18241,7 @@ struct msm_unorm16 {
 /// Four moments in floats of 32 bits, of depths known to lie in [0, 1].
 struct msm_hausdorff {
     using texel = glm::vec4;
-    static constexpr literal name = "msm_hausdorff";
+    static constexpr std::string_view name = "msm_hausdorff";
     static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm_hausdorff;
 
     glm::vec2 bias = msm_bias_32;
@@ -17284,7 +18308,7 @@ struct bilinear_block {
     alignas(64) float hi_x[block], hi_y[block];
 
     template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& r, glm::ivec2 size, bool forward) {
+    UMBRAGE_INLINE void place(const Receivers& r, glm::ivec2 size, bool forward, outside_map outside) {
         const auto axis = [](float coord, int highest, float& hi, std::int32_t& here, std::int32_t& next)
                               UMBRAGE_INLINE {
                                   const std::int32_t x = floor_int(coord * 256.0f) - 128;
@@ -17292,14 +18316,17 @@ struct bilinear_block {
                                   next = clamp_int((x >> 8) + 1, highest);
                                   hi = static_cast<float>(x & 255);
                               };
-        const std::int32_t towards_far = forward ? -1 : 0;
+        const std::int32_t towards_far = forward ? -1 : 0, anywhere = outside == outside_map::clamped ? -1 : 0;
+        const auto width = static_cast<float>(size.x), height = static_cast<float>(size.y);
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
             const float x = r.x(i), y = r.y(i);
             const std::int32_t beyond = (beyond_far_plane_mask<true>(r.z(i)) & towards_far) |
                                         (beyond_far_plane_mask<false>(r.z(i)) & ~towards_far);
             const std::int32_t inside = texel_space_mask(x, y);
-            compared[i] = inside & ~beyond;
+            const std::int32_t covered = -(std::int32_t(x >= 0.0f) & std::int32_t(y >= 0.0f) & std::int32_t(x < width) &
+                                           std::int32_t(y < height));
+            compared[i] = inside & ~beyond & (covered | anywhere);
             axis(masked(x, inside), size.x - 1, hi_x[i], left[i], right[i]);
             axis(masked(y, inside), size.y - 1, hi_y[i], low[i], high[i]);
         }
@@ -17371,7 +18398,7 @@ template <class Prefilter, class ParallelFor = serial>
 void encode_moments(image_view<const float> depth, image_view<typename Prefilter::texel> texels,
                     const Prefilter& filter, ParallelFor&& parallel = {}) {
     using texel = typename Prefilter::texel;
-    if (depth.size != texels.size) detail::fail("umbrage::encode_moments: sizes differ");
+    detail::require_size(texels.size, depth.size, "encode_moments", "texels.size", "depth's size");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
         detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
@@ -17398,7 +18425,8 @@ template <class Texel, class ParallelFor = serial>
 [[nodiscard]] std::vector<image<std::remove_const_t<Texel>>> make_mip_chain(image_view<Texel> texels, int levels,
                                                                             ParallelFor&& parallel = {}) {
     using texel = std::remove_const_t<Texel>;
-    if (texels.empty() || levels < 0) detail::fail("umbrage::make_mip_chain: empty map or negative levels");
+    detail::require(!texels.empty(), "make_mip_chain", "texels.size", "above 0", texels.size);
+    detail::require(levels >= 0, "make_mip_chain", "levels", "0 or more", levels);
     std::vector<image<texel>> chain;
     for (int level = 0; level < levels; ++level) {
         const image_view<const texel> from =
@@ -17423,13 +18451,14 @@ template <class Texel, class ParallelFor = serial>
 /// @param filter     as encode_moments had it
 /// @param out        visibility, 1 lit; same size as receivers
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @param outside    bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, or the map is empty
 /// @exactness        the filter's decode of fetch_bilinear, bit for bit; who is not compared is lit
 template <class Prefilter, class Receivers, class ParallelFor = serial>
 void look_up(image_view<const typename Prefilter::texel> texels, const Receivers& receivers, const Prefilter& filter,
-             image_view<float> out, ParallelFor&& parallel = {}) {
-    if (detail::size_of(receivers) != out.size) detail::fail("umbrage::look_up: sizes differ");
-    if (texels.empty()) detail::fail("umbrage::look_up: empty map");
+             image_view<float> out, ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
+    detail::require_size(out.size, detail::size_of(receivers, "look_up"), "look_up", "out.size", "the receivers' size");
+    detail::require(!texels.empty(), "look_up", "texels.size", "above 0", texels.size);
     if (out.empty()) return;
     const bool forward = filter.direction == depth_direction::forward;
     parallel(out.size.y, [&](int first, int last) {
@@ -17439,7 +18468,7 @@ void look_up(image_view<const typename Prefilter::texel> texels, const Receivers
             const Prefilter own = filter;  // in registers
             for (detail::block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
                 detail::use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
-                    of_block.place(r, texels.size, forward);
+                    of_block.place(r, texels.size, forward, outside);
                     for (int i = 0; i < detail::block; ++i) depths[i] = r.z(i);
                 });
                 of_block.fetch(texels);
@@ -17450,77 +18479,6 @@ void look_up(image_view<const typename Prefilter::texel> texels, const Receivers
             }
         });
     });
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/stability.hpp
-// How still a light's maps stand while the camera moves: whether points of the world keep their places between texels,
-// and their light.
-//
-//     auto report = umbrage::measure_stability(frames, points.size(), [&](int frame) {
-//         const auto maps = draw_maps(camera_at(frame));
-//         return [&, maps](std::size_t i) {
-//             return umbrage::placed_point{0, maps.texel(points[i]), maps.lit(points[i])};
-//         };
-//     });
-//     std::printf("drift %g texels, %g %% flicker\n", report.drift, 100 * report.share());
-//
-
-namespace umbrage {
-
-/// A point of the world in a frame's maps.
-struct placed_point {
-    int map = -1;          ///< number of the map or cascade that it is looked up in; below 0: in none
-    glm::dvec2 texel{0};   ///< where in it, finite
-    double visibility{0};  ///< of the filter
-};
-
-/// Over all points and frames.
-struct stability_report {
-    double change = 0;  ///< greatest, of a point's visibility in one map
-    double drift = 0;   ///< of the grid against the world, texels: 0 where maps move by whole texels, at most 1/2
-    std::size_t compared = 0;  ///< points that a map held in two frames or more
-    std::size_t changed = 0;   ///< those of them whose visibility changed in one map
-
-    /// Of points whose visibility changed.
-    [[nodiscard]] double share() const { return compared ? double(changed) / double(compared) : 0; }
-};
-
-/// Measures a set-up over the frames of a moving camera, each point against the first frame in which the same map holds
-/// it: what passes from one map to another is not compared.
-///
-/// @param frame   (int) -> what places points in that frame: (std::size_t point) -> placed_point
-/// @throws std::invalid_argument  frames below 1
-/// @formula       drift = max |m - nearest whole number to m|, m what a point has moved by through a map, in x or in y
-template <class Frame>
-[[nodiscard]] stability_report measure_stability(int frames, std::size_t points, Frame&& frame) {
-    detail::require(frames >= 1, "measure_stability", "frames", "must be above 0");
-    std::vector<placed_point> first;  // of a map, point by point
-    std::vector<char> compared(points), changed(points);
-    stability_report report;
-    for (int i = 0; i < frames; ++i) {
-        auto&& place = frame(i);
-        for (std::size_t k = 0; k < points; ++k) {
-            const placed_point now = place(k);
-            if (now.map < 0) continue;
-            const std::size_t before = points * static_cast<std::size_t>(now.map);
-            if (before >= first.size()) first.resize(before + points);
-            placed_point& then = first[before + k];
-            if (then.map < 0) {
-                then = now;
-                continue;
-            }
-            const glm::dvec2 moved = now.texel - then.texel, off = glm::abs(moved - glm::round(moved));
-            report.drift = detail::greater(report.drift, detail::greater(off.x, off.y));
-            compared[k] = 1;
-            const double change = glm::abs(now.visibility - then.visibility);
-            report.change = detail::greater(report.change, change);
-            if (change != 0.0) changed[k] = 1;
-        }
-    }
-    for (std::size_t k = 0; k < points; ++k) report.compared += compared[k] != 0, report.changed += changed[k] != 0;
-    return report;
 }
 
 }  // namespace umbrage
@@ -17539,7 +18497,7 @@ struct tessellated_mesh {
     std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones; world
     std::vector<glm::uvec3> triangles;
 
-    template <class View = mesh_view>  // so that its spans are compiled where this is called
+    template <class View = mesh_view>  // 26 ms less to include: spans of vectors are compiled where this is called
     [[nodiscard]] View view() const {
         return View{positions, triangles};
     }
@@ -17666,13 +18624,14 @@ private:
 template <class = detail::on_use>
 [[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
     constexpr auto function = "tessellate";
-    detail::require(detail::all_finite(to.position), function, "position", "must be finite");
-    detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "must be above 0");
-    detail::require(is_finite(to.range) && to.range > 0, function, "range", "must be above 0");
-    detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "must be above 0 and below 1");
+    detail::require(detail::all_finite(to.position), function, "position", "finite", to.position);
+    detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "finite and above 0", to.angle);
+    detail::require(is_finite(to.range) && to.range > 0, function, "range", "finite and above 0", to.range);
+    detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "above 0 and below 1",
+                    to.depth_error);
     for (const glm::uvec3& t : mesh.triangles)
         detail::require(detail::greater(detail::greater(t.x, t.y), t.z) < mesh.positions.size(), function,
-                        "mesh.triangles", "must be indices of positions");
+                        "mesh.triangles", "indices of positions", t);
     return detail::tessellator<>(mesh, to).take();
 }
 
@@ -17697,13 +18656,12 @@ template <class ParallelFor = serial>
 void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh,
                            const std::array<light_space<float>, 4>& faces, cull_mode cull = cull_mode::none,
                            ParallelFor&& parallel = {}) {
-    detail::require(depth.size.x == depth.size.y, "rasterize_tetrahedron", "depth", "must be square");
+    detail::require(depth.size.x == depth.size.y, "rasterize_tetrahedron", "depth.size", "square", depth.size);
     const auto side = static_cast<float>(depth.size.x);
     image<float> drawn(depth.size);
     for (int i = 0; i < 4; ++i) {
         const light_space<float>& face = faces[static_cast<std::size_t>(i)];
-        for (int y = 0; y < depth.size.y; ++y)
-            detail::copy(depth.row(y), std::size_t(depth.size.x), drawn.view().row(y));
+        for (int y = 0; y < depth.size.y; ++y) std::copy_n(depth.row(y), depth.size.x, drawn.view().row(y));
         rasterize_depth(drawn.view(), mesh, face.projection * face.view, face.clip, cull, parallel);
         for (glm::ivec2 texel{0}; texel.y < depth.size.y; ++texel.y)
             for (texel.x = 0; texel.x < depth.size.x; ++texel.x)
@@ -17742,9 +18700,10 @@ struct variance_table {
 template <class ParallelFor = serial>
 [[nodiscard]] image<glm::u16vec4> make_variance_table(image_view<const float> map, const variance_table& of,
                                                       ParallelFor&& parallel = {}) {
-    if (map.empty()) detail::fail("umbrage::make_variance_table: empty map");
-    if (of.bits < 1 || of.bits > 12) detail::fail("umbrage::make_variance_table: bits must lie between 1 and 12");
-    if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_variance_table: radius out of range");
+    constexpr auto function = "make_variance_table";
+    detail::require(!map.empty(), function, "map.size", "above 0", map.size);
+    detail::require(of.bits >= 1 && of.bits <= 12, function, "bits", "from 1 to 12", of.bits);
+    detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
     image<std::uint32_t> codes(map.size), sums(map.size);
     std::uint32_t least = 65535, greatest = 0;
     for (int y = 0; y < map.size.y; ++y)
@@ -17756,10 +18715,12 @@ template <class ParallelFor = serial>
     const std::int64_t side = 2 * std::int64_t(of.radius) + 1, spread = std::int64_t(greatest) - std::int64_t(least);
     const std::int64_t n =
         detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
-    if (n << of.bits > std::int64_t(1) << 24)
-        detail::fail("umbrage::make_variance_table: sums of so large a box need more than 24 bits");
-    if (n * (spread * spread + 4) >= std::int64_t(1) << 34)
-        detail::fail("umbrage::make_variance_table: squared distances in so large a box may reach 2^32");
+    detail::require(
+        n << of.bits <= std::int64_t(1) << 24, function, "bits and radius", "small enough for sums of 24 bits",
+        glm::dvec2(of.bits, of.radius),
+        "A box within the map holds min(2 radius + 1, width) min(2 radius + 1, height) texels of 2^bits codes.");
+    detail::require(n * (spread * spread + 4) < std::int64_t(1) << 34, function, "bits and radius",
+                    "small enough for squared distances of 32 bits", glm::dvec2(of.bits, of.radius));
 
     image<glm::u16vec4> table(map.size + 1, glm::u16vec4(0));
     const auto store = [&](glm::length_t first_channel) {
@@ -17784,339 +18745,28 @@ template <class ParallelFor = serial>
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param radius      of the box, at most the table's
 /// @param out         visibility, 1 lit; same size as receivers
+/// @param outside     bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, a table without texels, or a radius below 0 or above the table's
 template <class ParallelFor = serial>
 void summed_visibility(image_view<const glm::u16vec4> table, const variance_table& of,
                        image_view<const glm::vec3> receivers, int radius, image_view<float> out,
-                       ParallelFor&& parallel = {}) {
-    if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
-    if (table.size.x < 2 || table.size.y < 2) detail::fail("umbrage::summed_visibility: empty table");
-    if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
+                       ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
+    constexpr auto function = "summed_visibility";
+    detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
+    detail::require(table.size.x >= 2 && table.size.y >= 2, function, "table.size", "2 x 2 or more", table.size);
+    if (radius < 0 || radius > of.radius)
+        detail::refuse(function, "radius", std::string("from 0 to the table's, ").append(detail::printed(of.radius)),
+                       radius, "Make the table with this radius.");
     const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
     const auto codes = static_cast<float>(1 << of.bits), reach = static_cast<float>(radius);
     parallel(out.size.y, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < out.size.x; ++x) {
                 const glm::vec3 r = receivers.row(y)[x];
-                out.row(y)[x] = summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit);
+                out.row(y)[x] =
+                    summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit, outside);
             }
     });
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/directional_fit.hpp
-// A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
-//
-//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene, .clip = clip});
-//     auto tight = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene, .clip = clip});
-//     auto still = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024,
-//          .clip = clip});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct directional_fit {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
-    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
-    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
-    int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
-    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
-};
-
-namespace detail {
-
-/// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
-struct light_box {
-    glm::dvec2 half, middle;
-    double z_near, z_far;
-};
-
-/// The square of whole texels around a box, a texel wider, and depths in steps of its side.
-[[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
-    const double n(texels), half_texel = greater(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
-    const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
-    const double z_near = std::floor(box.z_near / side) * side;
-    return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
-            z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
-}
-
-/// fit_directional_light in the name of another function, whose arguments give the box's sides and depths.
-template <real T>
-[[nodiscard]] light_space<T> fit_directional(const directional_fit<T>& fit, const char* function, const char* sides,
-                                             const char* depths) {
-    require_given(fit.clip, function);
-    const hull& lit = given(fit.receivers, function);
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
-    const bool snaps = fit.snap_texels > 0;
-
-    light_space<T> space{
-        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
-    const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
-    const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
-    const hull& receivers = lit.points.empty() ? box_of_casters : lit;
-    const auto points = seen(frame, receivers.points);
-    const auto [low, high] = extent_of(points);
-    const auto [first, last] = extent_of(receivers.points);
-    const double radius = receivers.radius;
-    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
-    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
-    light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
-    if (fit.casters && snaps) {
-        const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
-        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
-    } else if (fit.casters) {
-        const auto swept = sweep(points, around);
-        box.z_near = detail::lesser(box.z_near, nearest(frame, *fit.casters, swept) - margin);
-    }
-    if (snaps) box = snapped(box, fit.snap_texels);
-
-    glm::dmat4 projection = orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
-    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
-    space.projection = glm::mat<4, 4, T>(projection);
-    for (glm::length_t i = 0; i < 3; ++i)
-        require(is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
-                "must not give too large or too small a box");
-    return checked(space, function, depths);
-}
-
-}  // namespace detail
-
-/// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
-/// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
-/// there; for a sphere's sweep stands that of its square.
-///
-/// With snap_texels the box is a square, a texel wider, whose texels lie on a grid of the world wherever the receivers
-/// move, as long as their extent keeps its bits: a sphere's does. Its depths then span the casters' whole box, and go
-/// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
-/// origin, compute the texture matrix in double and round that.
-///
-/// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
-/// or of one around the origin.
-///
-/// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
-///                                box, a negative margin, and what gives matrices that are not finite
-/// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
-template <real T = float>
-[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    return detail::fit_directional(fit, "fit_directional_light", "receivers and margin",
-                                   "receivers, casters and margin");
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/cascades/cascades.hpp
-// Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
-//
-//     const umbrage::cascade_fit<float> fit{
-//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f, .clip = clip};
-//     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
-//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
-//     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
-//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
-//
-
-namespace umbrage {
-
-/// One part of the camera's range and its map.
-template <real T>
-struct cascade {
-    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for
-                                               ///< all cascades
-    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
-    T begin = T(0), end = T(0);                ///< distances along the camera's axis
-};
-
-template <real T = float>
-struct cascade_fit {
-    frustum<T> camera{};                           ///< but for its planes, in place of which there are splits
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
-    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
-    int map_size = 1024;                           ///< of each cascade, texels
-    T margin = T(2);                               ///< texels around: the filter's reach
-    T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
-    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
-};
-
-namespace detail {
-
-/// A fitted light, whose view is a rotation, as a cascade.
-template <real T>
-[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
-    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, glm::ivec2(map_size));
-    const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
-    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
-    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
-                       glm::vec<4, T>(offset)};
-    const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
-    require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
-            "must not give too large or too small a cascade");
-    return c;
-}
-
-/// The camera's parts between splits, with what they overlap.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
-                                                              const std::array<T, Count + 1>& splits,
-                                                              const char* function) {
-    require_given(fit.clip, function);
-    require_given(fit.scene, function, "scene");
-    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
-    for (std::size_t i = 0; i < Count; ++i)
-        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "must be above 2 margin + 1");
-    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "must lie between 0 and 1");
-    std::array<frustum<double>, Count> parts;
-    for (std::size_t i = 0; i < Count; ++i) {
-        const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
-        parts[i] = {glm::dvec3(fit.camera.position),
-                    glm::dvec3(fit.camera.direction),
-                    glm::dvec3(fit.camera.up),
-                    double(fit.camera.tan_half_x),
-                    double(fit.camera.tan_half_y),
-                    double(splits[i]) - double(fit.overlap) * before,
-                    double(splits[i + 1])};
-    }
-    return parts;
-}
-
-/// What a part sees of a scene; where that is nothing, all of the part.
-template <class = on_use>
-[[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
-    const polyhedron seen = intersection(part, scene);
-    return seen.empty() ? hull(part) : hull(seen);
-}
-
-/// A directional light with depths of a whole scene, and a little beyond it.
-template <real T>
-[[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
-                                                 const char* function) {
-    const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
-    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes have some depth too
-    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
-                                           function, "", "low and high of scene");
-    light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
-    return light;
-}
-
-/// A margin in texels as a share of what a map holds within it.
-template <real T>
-[[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
-    return double(fit.margin) / (fit.map_size - 2 * double(fit.margin));
-}
-
-/// A cascade for each part, of light(frustum) in double.
-template <std::size_t Count, real T, class Light>
-[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
-                                                          const std::array<T, Count + 1>& splits, const char* function,
-                                                          Light&& light) {
-    const auto parts = camera_parts<Count>(fit, splits, function);
-    std::array<cascade<T>, Count> all;
-    for (std::size_t i = 0; i < Count; ++i) {
-        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
-        all[i].begin = splits[i];
-        all[i].end = splits[i + 1];
-    }
-    return all;
-}
-
-}  // namespace detail
-
-/// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
-/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
-/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each.
-///
-/// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
-/// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
-/// else in float 2^-14 of a texel on maps of 1024, which may move a filter's weights by a step of 1/256. Draw depths
-/// from rotated points by the projection alone. In float, one matrix for both may move points by a hundredth of a
-/// texel.
-///
-/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
-/// @return         the nearest first, from split to split
-/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range; what sphere_around and
-///                                fit_directional_light complain of; and what gives matrices that are not finite
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
-                                                                 const std::array<T, Count + 1>& splits) {
-    constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
-    auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
-        const double around = double(fit.margin);
-        const auto light = detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
-                                                            .up = glm::dvec3(fit.up),
-                                                            .receivers = sphere_around(part),
-                                                            .margin = around / (fit.map_size - 1 - 2 * around),
-                                                            .snap_texels = fit.map_size,
-                                                            .clip = fit.clip},
-                                                           function, sides, depths);
-        return detail::with_depths_of(light, fit.scene, function);
-    });
-    for (cascade<T>& c : all)
-        for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
-    return all;
-}
-
-/// Cascades of the greatest resolution: each map holds what its part of the camera's frustum has in common with the
-/// scene, and no more; where that is nothing, its part of the frustum. Texels change their size and place as the camera
-/// moves. The rest as for make_stable_cascades; the margin is that many texels or more.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
-                                                                const std::array<T, Count + 1>& splits) {
-    constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
-    return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
-        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
-        return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
-                                                .up = glm::dvec3(fit.up),
-                                                .receivers = detail::receivers_of(part, scene),
-                                                .casters = scene,
-                                                .margin = detail::margin_share(fit),
-                                                .clip = fit.clip},
-                                               function, sides, depths);
-    });
-}
-
-/// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
-template <real T>
-struct cascade_uniforms {
-    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's directions, for shadow_coordinate
-    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< columns: a cascade's each; w: of cascade_fade
-    glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
-};
-
-/// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
-///               overlap must have been asked for
-/// @return       where there are fewer than four, nothing falls into the others by depth or by projection
-/// @throws std::invalid_argument  fade out of range
-template <real T, std::size_t Count>
-[[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
-    static_assert(Count >= 1 && Count <= 4);
-    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
-    cascade_uniforms<T> u;
-    u.rotation = cascades[0].light.view;
-    u.ends = glm::vec<3, T>(detail::highest<T>);
-    for (glm::length_t i = 0; i < 4; ++i) {
-        if (i >= static_cast<glm::length_t>(Count)) {
-            u.offsets[i] = {T(65536), T(65536), T(0), T(0)};
-            continue;
-        }
-        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
-        u.scales[i] = c.scale;
-        u.offsets[i] = c.offset;
-        if (const T width = fade * (c.end - c.begin); width > T(0)) {
-            u.scales[i].w = T(1) / width;
-            u.offsets[i].w = T(1) - c.end / width;
-        }
-        if (i + 1 < static_cast<glm::length_t>(Count)) u.ends[i] = c.end;
-    }
-    return u;
 }
 
 }  // namespace umbrage
@@ -18170,23 +18820,24 @@ template <real T>
     require_given(fit.clip, function);
     if (given(fit.receivers, function).points.empty()) fit.receivers = instead;
     // beyond that float has no digits left for the receivers, and rows of the matrix become multiples of w's
-    require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin",
-            "must be from 0 to 1000", double(fit.margin));
-    if (fit.casters) (void)corners(*fit.casters);
+    require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin", "from 0 to 1000",
+            fit.margin);
+    if (fit.casters) require_box(*fit.casters, function, "casters");
     return fit;
 }
 
 /// Falls back to the camera's frustum where the camera sees nothing of the scene.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const char* function) {
+    require_frustum(fit.camera, function, "camera");
     return completed(fit, fit.camera, function);
 }
 
 /// The way y goes in a map: the way the camera looks, or the camera's up where the sine between its view and the light
 /// is below 1e-3. Maps are not warped there, but turn at once as the sine passes 1e-3: their texels then shimmer.
 template <real T>
-[[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit) {
-    const glm::dmat3 camera = axes(fit.camera);
+[[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit, const char* function) {
+    const glm::dmat3 camera = axes(fit.camera, function, "camera");
     const bool along = !(glm::length(glm::cross(camera[2], unit(glm::dvec3(fit.direction)))) > 1e-3);
     return camera[along ? 1 : 2];
 }
@@ -18194,7 +18845,7 @@ template <real T>
 /// The light's view that maps are drawn in.
 template <real T>
 [[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
-    return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
+    return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit, function), fit.clip.hand, function, "");
 }
 
 /// Least and greatest depth in a map of a body within planes of the map's space.
@@ -18276,11 +18927,19 @@ template <real T>
     return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
 }
 
+/// Refuses receivers, casters and margin that give a map too large or too small for the numbers.
+template <real T>
+[[noreturn]] void refuse_size(const warp_fit<T>& fit, const char* function) {
+    const extent box = extent_of(corners_of(*fit.receivers));
+    refuse(function, "receivers, casters and margin", "such that the map's size is neither too large nor too small",
+           box.high - box.low, "That is the receivers' extent.");
+}
+
 /// No warp: the map as fit_directional_light lays it, but with the margin and the way up of warps.
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
     const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
-    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a box");
+    if (!light) refuse_size(fit, function);
     return *light;
 }
 
@@ -18292,13 +18951,28 @@ template <real T>
 //
 //     const auto cascades = umbrage::make_warped_cascades<4>(
 //         fit, splits, [](const auto& part) { return umbrage::fit_light_space_perspective(part); });
-//     draw_depths(cascades[i].light);
-//     glm::mat4 to_texels = umbrage::texture_matrix(cascades[i].light, map_size);  // of each, for shaders
+//     for (const auto& c : cascades) draw_depths(c.light);                               // a depth pass each
+//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, fit.map_size, 0.1f);  // for shaders
+//
+// In a shader with four of them, which have one vec3 of ends:
+//
+//     uniform mat4 to_texels[4];  uniform vec3 ends;  uniform vec2 fades[4];
+//     float number = umbrage_cascade_by_depth(view_depth, ends);
+//     vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels[int(number)], world));
+//     float weight = umbrage_cascade_fade(view_depth, fades[int(number)].x, fades[int(number)].y);  // of the next
 //
 // A pixel takes the cascade that cascade_by_depth names: their maps are turned and bent each in its own way, so that
 // there is no common rotation for cascade_by_projection.
 
 namespace umbrage {
+
+/// One part of the camera's range and its warped map.
+template <real T>
+struct warped_cascade {
+    light_space<T> light;        ///< for the depth pass
+    T strength = T(0);           ///< as warped_light has it
+    T begin = T(0), end = T(0);  ///< distances along the camera's axis
+};
 
 /// A warped map for each part of the camera's range, around what that has in common with the scene; where that is
 /// nothing, around the part.
@@ -18306,17 +18980,17 @@ namespace umbrage {
 /// @param fit      but for up: warps take the camera's direction
 /// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
 /// @param warp     (const warp_fit<double>& part) -> warped_light<double>, whose margin is as many texels as fit's
-/// @return         the nearest first
+/// @return         the nearest first, each from its split to the next
 /// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range, what warp complains
 ///                                of, and what gives matrices that are not finite
 template <std::size_t Count, real T, class Warp>
-[[nodiscard]] std::array<warped_light<T>, Count> make_warped_cascades(const cascade_fit<T>& fit,
-                                                                      const std::array<T, Count + 1>& splits,
-                                                                      Warp&& warp) {
+[[nodiscard]] std::array<warped_cascade<T>, Count> make_warped_cascades(const cascade_fit<T>& fit,
+                                                                        const std::array<T, Count + 1>& splits,
+                                                                        Warp&& warp) {
     constexpr auto function = "make_warped_cascades";
     const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
     const auto parts = detail::camera_parts<Count>(fit, splits, function);
-    std::array<warped_light<T>, Count> all;
+    std::array<warped_cascade<T>, Count> all;
     for (std::size_t i = 0; i < Count; ++i) {
         const warped_light<double> own = warp(warp_fit<double>{.camera = parts[i],
                                                                .direction = glm::dvec3(fit.direction),
@@ -18326,9 +19000,42 @@ template <std::size_t Count, real T, class Warp>
                                                                .clip = fit.clip});
         const light_space<T> light{glm::mat<4, 4, T>(own.light.view), glm::mat<4, 4, T>(own.light.projection),
                                    own.light.clip};
-        all[i] = {detail::checked(light, function, "camera, splits and scene"), T(own.strength)};
+        all[i] = {detail::checked(light, function, "camera, splits and scene"), T(own.strength), splits[i],
+                  splits[i + 1]};
     }
     return all;
+}
+
+/// What a shader of warped cascades takes.
+template <real T, std::size_t Count>
+struct warped_cascade_uniforms {
+    std::array<glm::mat<4, 4, T>, Count> to_texels;  ///< world to each map, for shadow_coordinate
+    /// Of the cascades but the last, three at a time, filled up with the highest float: the sum of cascade_by_depth
+    /// over all of them is a cascade's number.
+    std::array < glm::vec<3, T>, Count<4 ? 1 : (Count + 1) / 3> ends;
+    std::array<glm::vec<2, T>, Count> fades;  ///< scale and offset of cascade_fade
+};
+
+/// @param map_size   of each cascade, texels
+/// @param fade       share of each cascade over which the next one takes over, 0 .. 1; after the last, full light.
+///                   cascade_fit::overlap must be as much
+/// @throws std::invalid_argument  map_size below 1, fade out of range
+template <real T, std::size_t Count>
+[[nodiscard]] warped_cascade_uniforms<T, Count> make_cascade_uniforms(
+    const std::array<warped_cascade<T>, Count>& cascades, int map_size, T fade) {
+    constexpr auto function = "make_cascade_uniforms";
+    static_assert(Count >= 1);
+    detail::require(map_size >= 1, function, "map_size", "above 0", map_size);
+    detail::require(fade >= T(0) && fade <= T(1), function, "fade", "from 0 to 1", fade);
+    warped_cascade_uniforms<T, Count> u;
+    u.ends.fill(glm::vec<3, T>(detail::highest<T>));
+    for (std::size_t i = 0; i < Count; ++i) {
+        const warped_cascade<T>& c = cascades[i];
+        u.to_texels[i] = texture_matrix(c.light, glm::ivec2(map_size));
+        u.fades[i] = detail::fade_of(c.begin, c.end, fade);
+        if (i + 1 < Count) u.ends[i / 3][static_cast<glm::length_t>(i % 3)] = c.end;
+    }
+    return u;
 }
 
 }  // namespace umbrage
@@ -18403,10 +19110,11 @@ template <real T = float>
     const hull& lit = detail::given(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "must lie between 0 and pi / 2");
+                    "outer_angle_radians", "above 0 and below pi / 2", angle, "Is it in degrees?");
     detail::require(detail::is_normal(fit.z_near) && fit.z_near > T(0), function, "z_near",
-                    "must be above 0, finite and no denormal");
-    detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "must lie between 0 and 1/2");
+                    "above 0, finite and no denormal", fit.z_near);
+    detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "from 0 to 1/2", fit.margin);
+    if (fit.casters) detail::require_box(*fit.casters, function, "casters");
     light_space<T> space{
         detail::look_along(fit.position, fit.direction, fit.up, fit.clip.hand, function, "position"), {}, fit.clip};
     const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
@@ -18417,7 +19125,7 @@ template <real T = float>
     const glm::dvec3 size = detail::greater(glm::abs(around.low), glm::abs(around.high));
     if (!(around.high.z > closest)) return {};
     detail::require(is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function, "receivers",
-                    "must lie nearer to the light");
+                    "near enough to the light for finite distances", size);
     const auto receivers = detail::tangents(before, edge, closest);
     if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
@@ -18438,9 +19146,9 @@ template <real T = float>
     space.projection = glm::mat<4, 4, T>(projection);
     for (glm::length_t i = 0; i < 2; ++i)
         detail::require(detail::is_normal(space.projection[i][i]), function, "receivers and margin",
-                        "must not give too large or too small a map");
+                        "such that the map's size is neither too large nor too small", half);
     detail::require(detail::is_normal(space.projection[3][2]), function, "z_near and receivers",
-                    "must give planes neither too far apart nor too close together");
+                    "neither too far apart nor too close together", glm::dvec2(z_near, z_far));
     return detail::checked(space, function, "position, z_near and receivers");
 }
 
@@ -18471,19 +19179,18 @@ struct axis_view {
 
 template <real T>
 [[nodiscard]] axis_view view_of(const light_position<T>& from, const warp_fit<T>& fit, const char* function) {
-    require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near",
-            "must be above 0, finite and no denormal");
-    const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
+    const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit, function);
     axis_view v;
     v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "from.position"), fit.clip.hand);
     const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(*fit.receivers));
     const auto [low, high] = extent_of(receivers);
     v.least = low.z, v.farthest = high.z;
     require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
-            "must lie before the light, beyond from.z_near");
+            "farther from the light than from.z_near, at finite distances", glm::dvec2(v.least, v.farthest));
     if (!fit.casters) return v;
     double edge = 1.0;
     for (const glm::dvec3& p : receivers) edge = greater(edge, greater(glm::abs(p.x), glm::abs(p.y)) / p.z);
+    require(is_finite(16.0 * edge), function, "receivers", "within a finite slope of the light's axis", edge);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
     v.casters = intersection(all, *fit.casters);
     return v;
@@ -18492,14 +19199,17 @@ template <real T>
 /// Falls back to what is right before the light where there are no receivers.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const light_position<T>& from, const char* function) {
+    require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near", "above 0, finite and no denormal",
+            from.z_near);
     if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
+    (void)look_along(from.position, fit.direction, glm::vec<3, T>(0), fit.clip.hand, function, "from.position");
     const double closest(from.z_near);
-    return completed(fit,
-                     frustum<double>{.position = glm::dvec3(from.position),
-                                     .direction = glm::dvec3(fit.direction),
-                                     .z_near = 2.0 * closest,
-                                     .z_far = 4.0 * closest},
-                     function);
+    const frustum<double> ahead{.position = glm::dvec3(from.position),
+                                .direction = glm::dvec3(fit.direction),
+                                .z_near = 2.0 * closest,
+                                .z_far = 4.0 * closest};
+    require_frustum(ahead, function, "from");
+    return completed(fit, ahead, function);
 }
 
 /// What the light sees along its axis: x, y, depth and w, of no warp.
@@ -18514,7 +19224,7 @@ template <class = on_use>
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const axis_view& v, const warp_fit<T>& fit, const char* function) {
     const auto light = refit(map_along(v), fit, v.casters, function);
-    require(light.has_value(), function, "receivers, casters and margin", "must not give too large or too small a map");
+    if (!light) refuse_size(fit, function);
     return *light;
 }
 
@@ -18551,7 +19261,7 @@ template <real T>
 [[nodiscard]] along_view make_along_view(const warp_fit<T>& fit, const char* function) {
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
-    const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera)[2];
+    const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera, function, "camera")[2];
     v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
@@ -18640,7 +19350,7 @@ template <real T = float>
     constexpr auto function = "fit_light_space_perspective";
     const warp_fit<T> whole = detail::completed(fit, function);
     const detail::along_view v = detail::make_along_view(whole, function);
-    detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
+    if (distance) detail::require(*distance > T(0), function, "distance", "above 0", *distance);
     return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), whole, function);
 }
 
@@ -18679,7 +19389,7 @@ namespace detail {
 template <real T>
 [[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
                                    const char* function) {
-    const glm::dvec3 eye(camera.position), ahead = axes(camera)[2];
+    const glm::dvec3 eye(camera.position), ahead = axes(camera, function, "camera")[2];
     double least = highest<double>, greatest = -least;
     for (const glm::dvec3& p : points) {
         const double z = glm::dot(p - eye, ahead);
@@ -18687,7 +19397,8 @@ template <real T>
     }
     const double back = slide - detail::lesser(least, 0.0), z_near = least + back;
     const double z_far = detail::greater(greatest + back, z_near * (1.0 + 0x1p-8));
-    require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers", "must lie nearer to the camera");
+    require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers",
+            "near enough to the camera for finite distances", glm::dvec2(z_near, z_far));
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
     return perspective(double(camera.tan_half_x), double(camera.tan_half_y), z_near, z_far, opengl_clip_space,
@@ -18795,7 +19506,7 @@ template <real T, class Instead>
                                                   const polyhedron& casters, T slide, const char* function,
                                                   const glm::dmat4& frame, const glm::dmat4& stand_in,
                                                   Instead&& instead) {
-    require(is_normal(slide) && slide > T(0), function, "slide", "must be above 0 and finite");
+    require(is_normal(slide) && slide > T(0), function, "slide", "above 0 and finite", slide);
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
     const glm::dvec4 image = to_ndc * light;
@@ -18916,7 +19627,7 @@ template <real T>
                                                               const char* function) {
     glm::dvec4 ground(plane);
     require(all_finite(plane) && is_normal(glm::length(glm::dvec3(ground))), function, "plane",
-            "must be finite and have a normal");
+            "finite, with a normal other than 0", plane);
     ground /= glm::length(glm::dvec3(ground)) * (glm::dot(ground, light) < 0.0 ? -1.0 : 1.0);
     const double height = glm::dot(ground, light);
     const std::vector<glm::dvec3> seen = crossings(fit.camera, ground);
@@ -18924,7 +19635,7 @@ template <real T>
 
     // along the light onto the plane, and from there onto the screen; heights over the plane are depth
     const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
-    const glm::dmat3 camera = axes(fit.camera);
+    const glm::dmat3 camera = axes(fit.camera, function, "camera");
     glm::dmat4 rows;
     const auto row = [&](const glm::dvec3& a) {
         return glm::dvec4(a, -glm::dot(a, glm::dvec3(fit.camera.position))) * cast;
@@ -18956,7 +19667,8 @@ template <real T>
     const double deep = greater(double(fit.margin), 0x1p-8) * greater(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
-    require(warped.has_value(), function, "plane and camera", "must not give too large or too small a map");
+    require(warped.has_value(), function, "plane and camera", "such that the map is neither too large nor too small",
+            plane);
     return warped;
 }
 
@@ -19032,7 +19744,7 @@ template <real T = float>
     constexpr auto function = "fit_trapezoidal";
     const warp_fit<T> whole = detail::completed(fit, function);
     const detail::along_view v = detail::make_along_view(whole, function);
-    detail::require(is_finite(focus) && focus >= T(0), function, "focus", "must be finite and not below 0");
+    detail::require(is_finite(focus) && focus >= T(0), function, "focus", "finite, 0 or more", focus);
     const double f = detail::greater(v.camera_y + double(focus) * v.sine - v.first.y, 0.0),
                  rest = 1.6 * v.length - 2.0 * f;
     if (!(rest > 0.0)) return detail::unwarped(whole, function);
@@ -19045,7 +19757,7 @@ template <real T = float>
 // What a map is to shaders: what its texels lie in, how they become depths, how they compare.
 //
 //     using namespace umbrage::glsl;
-//     const binding cascades{.texture = texture::array, .outside_lit = true};
+//     const binding cascades{.texture = texture::array};
 //     const binding packed = stored_as(umbrage::rg<11>{});
 //
 
@@ -19072,7 +19784,7 @@ enum class texture { texture_2d, atlas, array, cube, cube_faces, integer, depth,
 struct binding {
     glsl::texture texture = glsl::texture::texture_2d;
     depth_direction direction = depth_direction::forward;
-    bool outside_lit = false;      ///< outside the map all is lit; else the nearest texel inside counts
+    std::optional<outside_map> outside{};  ///< none: bordered, but clamped for tiles, regions and faces of cubes
     bool gather = false;           ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
                                    ///< edge, but for regions
     std::string depth{};           ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x
@@ -19109,7 +19821,7 @@ template <known_encoding Encoding>
 }  // namespace umbrage::glsl
 
 // ---- umbrage/shader/texel_hooks.hpp
-// The hooks of hooks.hpp that say what a map's depths mean, and those that take its texels as they are, one or four.
+// The hooks of hooks.hpp that say what a map's depths mean, and those that take its texels as they are.
 //
 
 namespace umbrage::glsl::hooks {
@@ -19127,6 +19839,41 @@ inline constexpr snippet reversed_cleared_depth{
 // umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
     return 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet border_depth{.name = "border_depth",
+                                      .summary = "border_depth, a depth",
+                                      .needs = list<&cleared_depth>,
+                                      .role = hook::border_depth,
+                                      .source = R"GLSL(
+// umbrage_border_depth: what texels outside the map count as, the far plane
+UMBRAGE_HIGHP float umbrage_border_depth() {
+    return umbrage_cleared_depth();
+}
+)GLSL"};
+
+inline constexpr snippet scaled_border_depth{
+    .name = "border_depth", .summary = "border_depth, scaled", .role = hook::chosen, .source = R"GLSL(
+// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
+UMBRAGE_HIGHP float umbrage_border_depth() {
+    return 65536.0;
+}
+)GLSL"};
+
+inline constexpr snippet bordered_covers{
+    .name = "map_covers", .summary = "map_covers, bordered", .role = hook::chosen, .source = R"GLSL(
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+)GLSL"};
+
+inline constexpr snippet clamped_covers{
+    .name = "map_covers", .summary = "map_covers, clamped", .role = hook::chosen, .source = R"GLSL(
+// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    return true;
 }
 )GLSL"};
 
@@ -19214,13 +19961,14 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 
 inline constexpr snippet bordered_depth{.name = "fetch_depth",
                                         .summary = "fetch_depth, bordered",
-                                        .needs = list<&fetch_clamped, &decode, &inside_map, &cleared_depth>,
+                                        .needs = list<&umbrage::glsl::texel, &decode, &border_depth>,
                                         .role = hook::chosen,
                                         .source = R"GLSL(
 // umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_texel(map, size, inside));
+    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
 }
 )GLSL"};
 
@@ -19245,14 +19993,16 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet bordered_lit{.name = "lit",
                                       .summary = "lit, bordered",
-                                      .needs = list<&lit_texel, &inside_map, &compare, &cleared_depth>,
+                                      .needs = list<&lit_texel, &compare, &border_depth>,
                                       .role = hook::chosen,
                                       .source = R"GLSL(
 // umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
-    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 )GLSL"};
 
@@ -19307,6 +20057,16 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 }
 )GLSL"};
 
+}  // namespace umbrage::glsl::hooks
+
+// ---- umbrage/shader/hooks.hpp
+// What a map can be, as functions: bind() puts these in place of the hooks' texts for a shader's one map. Words that a
+// map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture; UMBRAGE_DEPTH,
+// the depth of a `value`; UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
+//
+
+namespace umbrage::glsl::hooks {
+
 inline constexpr snippet gathered{.name = "lit_2x2",
                                   .summary = "lit_2x2, gathered",
                                   .needs = list<&gather_compared>,
@@ -19342,9 +20102,28 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 inline constexpr snippet gathered_bordered{.name = "lit_2x2",
                                            .summary = "lit_2x2, gathered and bordered",
-                                           .needs = list<&gather_compared, &inside_map, &compare, &cleared_depth>,
+                                           .needs = list<&gather_compared, &inside_map, &compare, &border_depth>,
                                            .role = hook::chosen,
                                            .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane, whatever the sampler has there
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? lit.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? lit.w : outside;
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_bordered_region{.name = "lit_2x2",
+                                                  .summary = "lit_2x2, gathered in a bordered region",
+                                                  .needs = list<&gather_compared, &inside_map, &compare, &border_depth>,
+                                                  .role = hook::chosen,
+                                                  .source = R"GLSL(
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
 //   the far plane: the gather stays inside
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
@@ -19356,7 +20135,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
     UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
     UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
     UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
     UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
     UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
@@ -19364,16 +20143,6 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return vec4(a, b, c, d);
 }
 )GLSL"};
-
-}  // namespace umbrage::glsl::hooks
-
-// ---- umbrage/shader/hooks.hpp
-// What a map can be, as functions: bind() puts these in place of the hooks' texts for a shader's one map. Words that a
-// map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture; UMBRAGE_DEPTH,
-// the depth of a `value`; UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
-//
-
-namespace umbrage::glsl::hooks {
 
 // The sampler weighs: coordinates stay half a texel inside, so that what is beside the map has no weight.
 
@@ -19400,7 +20169,7 @@ inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
                                                .exactness = tier::c,
                                                .within = 1.0f / 128.0f,
-                                               .needs = list<&within_far_plane, &compare, &cleared_depth>,
+                                               .needs = list<&within_far_plane, &compare, &border_depth>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
@@ -19413,12 +20182,45 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 )GLSL"};
 
 // Where a map is all of its texture, uv over the map is what the sampler takes, and the sampler clamps to the edge.
+
+inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
+                                              .summary = "lit_at, sampled and bordered",
+                                              .exactness = tier::c,
+                                              .within = 1.0f / 128.0f,
+                                              .needs = list<&compare, &border_depth>,
+                                              .role = hook::chosen,
+                                              .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+)GLSL"};
+
+inline constexpr snippet sampled_bordered_depth{.name = "depth_at",
+                                                .summary = "depth_at, sampled and bordered",
+                                                .exactness = tier::c,
+                                                .operations = 4,
+                                                .needs = list<&decode, &border_depth>,
+                                                .role = hook::chosen,
+                                                .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
+}
+)GLSL"};
 
 inline constexpr snippet sampled_lit{.name = "lit_at",
                                      .summary = "lit_at, sampled",
@@ -19450,11 +20252,12 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 
 /// Every one of them, for printers and packages.
 inline constexpr const auto& all =
-    list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
-         &forward_before_far, &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode,
-         &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,
-         &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
-         &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_depth>;
+    list<&forward_cleared_depth, &reversed_cleared_depth, &border_depth, &scaled_border_depth, &bordered_covers,
+         &clamped_covers, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far, &forward_before_far,
+         &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth,
+         &lit_texel, &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels,
+         &gathered, &gathered_region, &gathered_bordered, &gathered_bordered_region, &clamped_lit_filtered,
+         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace umbrage::glsl::hooks
 
@@ -19465,9 +20268,12 @@ inline constexpr const auto& all =
 namespace umbrage::glsl::detail {
 
 [[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
-/// Whether a map is all of its texture, edges and all.
-[[nodiscard]] inline bool is_whole(const binding& b) { return !has_region(b) && !b.outside_lit; }
 [[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
+/// Whether texels outside the map count as the far plane.
+[[nodiscard]] inline bool is_bordered(const binding& b) {
+    const bool tile = has_region(b) || is_cube(b.texture);
+    return b.outside.value_or(tile ? outside_map::clamped : outside_map::bordered) == outside_map::bordered;
+}
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
 
@@ -19481,6 +20287,8 @@ template <class = umbrage::detail::on_use>
         case hook::none:
         case hook::chosen: return s;
         case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
+        case hook::border_depth: return scaled ? hooks::scaled_border_depth : s;
+        case hook::map_covers: return is_bordered(b) ? hooks::bordered_covers : hooks::clamped_covers;
         case hook::beyond_far_plane:
             return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
         case hook::within_far_plane:
@@ -19489,23 +20297,26 @@ template <class = umbrage::detail::on_use>
         case hook::texel:
         case hook::fetch_depth:
             if (s.role == hook::texel) return hooks::texel;
-            return b.outside_lit ? hooks::bordered_depth : hooks::clamped_depth;
+            return is_bordered(b) ? hooks::bordered_depth : hooks::clamped_depth;
         case hook::lit:
             if (!compares(b.texture)) return s;
-            return b.outside_lit ? hooks::bordered_lit : hooks::clamped_lit;
+            return is_bordered(b) ? hooks::bordered_lit : hooks::clamped_lit;
         case hook::lit_2x2:
             if (!b.gather) return s;
-            if (b.outside_lit) return hooks::gathered_bordered;
+            if (is_bordered(b)) return has_region(b) ? hooks::gathered_bordered_region : hooks::gathered_bordered;
             return has_region(b) ? hooks::gathered_region : hooks::gathered;
         case hook::gather_lit:
             if (compares(b.texture)) return hooks::gather_compared;
             return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
         case hook::lit_filtered:
             if (!compares(b.texture)) return s;
-            return b.outside_lit ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
-        case hook::lit_at: return compares(b.texture) && is_whole(b) ? hooks::sampled_lit : s;
+            return is_bordered(b) ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
+        case hook::lit_at:
+            if (!compares(b.texture) || has_region(b)) return s;
+            return is_bordered(b) ? hooks::sampled_bordered_lit : hooks::sampled_lit;
         case hook::depth_at:
-            return b.gather && gathers(b.texture) && !compares(b.texture) && is_whole(b) ? hooks::sampled_depth : s;
+            if (!b.gather || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
+            return is_bordered(b) ? hooks::sampled_bordered_depth : hooks::sampled_depth;
     }
     return s;
 }
@@ -19575,49 +20386,44 @@ template <class = umbrage::detail::on_use>
     return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
 }
 
-/// @throws std::invalid_argument   unless it holds
-template <class = umbrage::detail::on_use>
-void must(bool holds, std::string_view condition, std::string_view got) {
-    if (holds) return;
-    std::string message = "umbrage::glsl::bind: ";
-    message += condition;
-    message += "; got ";
-    umbrage::detail::fail(message + (got.empty() ? "\"\"" : std::string(got)));
-}
-
 /// Every hook that the snippet calls is one that the map can have.
 template <class = umbrage::detail::on_use>
 void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
     const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
-    must(!reads || !compares(map.texture),
-         "what must be a snippet that reads no depths, as a comparison sampler gives none", what.name);
-    must(asked.role != hook::gather_lit || gathers(map.texture),
-         "map.gather must be false where texels of cubes or whole numbers are gathered", "true");
-    must(asked.role != hook::gather_lit || map.channels <= 2, "map.channels must be 1 or 2 where texels are gathered",
-         std::to_string(map.channels));
+    umbrage::detail::require(!reads || !compares(map.texture), "glsl::bind", "what",
+                             "a snippet that reads no depths, as a comparison sampler gives none", what.name);
+    umbrage::detail::require(asked.role != hook::gather_lit || gathers(map.texture), "glsl::bind", "map.gather",
+                             "false where texels of cubes or whole numbers are gathered", map.gather);
+    umbrage::detail::require(asked.role != hook::gather_lit || map.channels <= 2, "glsl::bind", "map.channels",
+                             "1 or 2 where texels are gathered", map.channels);
     for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
 }
 
 /// @throws std::invalid_argument   for what does not compile, whatever the language
 template <class = umbrage::detail::on_use>
 void check(const snippet& what, std::string_view name, const binding& map) {
-    must(is_part_of_identifier(name), "name must be letters, digits and single underscores between them", name);
+    umbrage::detail::require(is_part_of_identifier(name), "glsl::bind", "name",
+                             "letters, digits and single underscores between them", name);
     const bool one_channel =
         compares(map.texture) || map.texture == texture::depth || map.texture == texture::depth_array;
-    must(1 <= map.channels && map.channels <= 4, "map.channels must be 1 to 4", std::to_string(map.channels));
-    must(!one_channel || map.channels == 1, "map.channels must be 1 for a depth texture", std::to_string(map.channels));
-    must(!compares(map.texture) || map.depth.empty(), "map.depth must be empty for a comparison sampler", map.depth);
-    const auto expression = [](const std::string& own, const char* condition) {
-        must(own.empty() || is_expression(own), condition, own);
+    umbrage::detail::require(1 <= map.channels && map.channels <= 4, "glsl::bind", "map.channels", "1 to 4",
+                             map.channels);
+    umbrage::detail::require(!one_channel || map.channels == 1, "glsl::bind", "map.channels", "1 for a depth texture",
+                             map.channels);
+    umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "map.depth",
+                             "empty for a comparison sampler", map.depth);
+    const auto expression = [](const std::string& own, const char* argument,
+                               const char* condition = "one expression on one line") {
+        umbrage::detail::require(own.empty() || is_expression(own), "glsl::bind", argument, condition, own);
     };
-    expression(map.depth, "map.depth must be one expression on one line");
-    expression(map.origin, "map.origin must be one expression on one line");
-    expression(map.texture_size, "map.texture_size must be one expression on one line");
-    expression(map.texel, "map.texel must be one expression on one line");
-    expression(map.parameters, "map.parameters must be parameters on one line");
-    expression(map.arguments, "map.arguments must be expressions on one line");
+    expression(map.depth, "map.depth");
+    expression(map.origin, "map.origin");
+    expression(map.texture_size, "map.texture_size");
+    expression(map.texel, "map.texel");
+    expression(map.parameters, "map.parameters", "parameters on one line");
+    expression(map.arguments, "map.arguments", "expressions on one line");
     for (const snippet& need : map.needs)
-        must(!reads_map(need), "map.needs must be snippets that read no map", need.name);
+        umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
     check_hooks(what, what, map);
 }
 
@@ -19657,16 +20463,16 @@ namespace umbrage::glsl::detail {
 /// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
 /// 0 to 1.
 struct texture_words {
-    literal parameters, arguments;
-    literal texel{};                        ///< vec4; lines that begin with # stand for the whole statement
-    literal sampled{};                      ///< vec4 at `uv`
-    literal lit{};                          ///< the sampler's comparison with `receiver`: float
-    literal gather_red{}, gather_green{};   ///< vec4
-    literal gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    literal lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
-    literal size{};                         ///< of the texture: vec2
-    literal sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
-    snippet_span needs{};                   ///< what these words call
+    std::string_view parameters, arguments;
+    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view sampled{};                      ///< vec4 at `uv`
+    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};   ///< vec4
+    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
+    std::string_view size{};                         ///< of the texture: vec2
+    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    std::span<const snippet* const> needs{};         ///< what these words call
 };
 
 /// The text with each word replaced by replacement(word, in_comment).
@@ -19777,18 +20583,18 @@ template <class = umbrage::detail::on_use>
     const std::string ordinary = with_sampler(words.arguments, words.sampler_argument);
     const std::string parameters = one_of(map.parameters, with_sampler(words.parameters, words.sampler));
     const std::string arguments = one_of(map.arguments, ordinary);
-    must(members(parameters).size() == members(arguments).size(), "map.arguments must be as many as map.parameters",
-         '"' + arguments + "\" for \"" + parameters + '"');
+    umbrage::detail::require(members(parameters).size() == members(arguments).size(), "glsl::bind", "map.arguments",
+                             "as many as map.parameters", arguments, "The parameters are " + parameters + ".");
     const std::vector<std::string_view> names = declared(parameters);
     if (!map.parameters.empty())
         for (const std::string_view word : words_of(text))
-            must(word == own_map || !contains(names, word),
-                 "map.parameters must be named otherwise than what umbrage_" + std::string(s.name) + " names", word);
+            umbrage::detail::require(word == own_map || !contains(names, word), "glsl::bind", "map.parameters",
+                                     "named otherwise than what umbrage_" + std::string(s.name) + " names", word);
     /// A language's own words, whose arguments the map's own parameters declare too.
     const auto ours = [&](std::string_view expression) {
         for (const std::string_view word : words_of(expression))
-            must(!contains(words_of(ordinary), word) || contains(names, word),
-                 "map.parameters must declare " + std::string(word), parameters);
+            umbrage::detail::require(!contains(words_of(ordinary), word) || contains(names, word), "glsl::bind",
+                                     "map.parameters", "parameters that declare " + std::string(word), parameters);
         return expression;
     };
     if (map.arguments.empty()) ours(arguments);
@@ -19809,8 +20615,8 @@ template <class = umbrage::detail::on_use>
             if (word.starts_with("umbrage_")) return suffixed(word);
             if (word == "at" && origin.empty()) return "texel";
             if (word != "UMBRAGE_TEXTURE_SIZE") return std::string(word);
-            must(!texture_size.empty(),
-                 "map.texture_size must be given for a region that this language's sampler reads", "");
+            umbrage::detail::require(!texture_size.empty(), "glsl::bind", "map.texture_size",
+                                     "given for a region that this language's sampler reads", "");
             return texture_size;
         });
     };
@@ -19915,12 +20721,13 @@ namespace umbrage::glsl::detail {
 
 /// What there is to know of a language.
 struct language {
-    literal prelude;  ///< what every text begins with
+    std::string_view prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
-    literal may_reorder{};                       ///< its name if compilers may fuse or reorder sums; else empty
+    std::string_view may_reorder{};              ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
+    std::string_view function = "glsl::text";    ///< that a user calls
 };
 
 /// One text in the making.
@@ -19936,8 +20743,9 @@ public:
             for (const bound& other : items)
                 if (!item.by_macros && item.suffix == other.suffix &&
                     (other.by_macros ? is_of_map(other.what) : !(item.map == other.map)))
-                    umbrage::detail::fail("umbrage::glsl::text: name must be another for each map; got \"" +
-                                          item.suffix.substr(item.suffix.empty() ? 0 : 1) + "\" for two");
+                    umbrage::detail::refuse(language_.function, "name", "another for each map",
+                                            std::string_view(item.suffix).substr(item.suffix.empty() ? 0 : 1),
+                                            "It is the name of two maps.");
         }
     }
 
@@ -19999,9 +20807,9 @@ private:
         for (const part& done : done_) {
             if (done.guard != guard) continue;
             if (done.what == s.name && done.suffix == suffix) return;
-            umbrage::detail::fail(
-                "umbrage::glsl::text: names must keep functions apart, in capitals too; got umbrage_" +
-                std::string(done.what) + done.suffix + " and umbrage_" + function);
+            umbrage::detail::refuse(
+                language_.function, "name", "such that functions differ, in capitals too",
+                ("umbrage_" + std::string(done.what) + done.suffix + " and umbrage_" + function).c_str());
         }
         use(s, item, guard);
         done_.push_back({s.name, suffix, std::move(guard)});
@@ -20062,7 +20870,7 @@ template <class Use = umbrage::detail::on_use>
 namespace umbrage::glsl {
 
 /// Macros that every text relies on; each can be defined beforehand to something else.
-inline constexpr literal prelude = R"GLSL(
+inline constexpr std::string_view prelude = R"GLSL(
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
 #define UMBRAGE_HIGHP highp
@@ -20230,48 +21038,30 @@ template <class = umbrage::detail::on_use>
 }
 
 /// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
-/// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name
+/// @param items   snippets, or what bind() gives for a map, in braces; of another container {begin, end}
+/// @param v       the dialect, whose `#if __VERSION__` are decided for preprocessors of engines; none: text for any
+/// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name; a dialect without
+///                                 what a snippet or a map needs
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::span<const bound> items) {
-    return detail::compose<Use>(detail::glsl_language<Use>, {items.begin(), items.end()});
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::span<const snippet> snippets) {
-    return detail::compose<Use>(detail::glsl_language<Use>, {snippets.begin(), snippets.end()});
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::initializer_list<bound> items) {
-    return detail::compose<Use>(detail::glsl_language<Use>, items);
-}
-
-/// The same for a dialect: what __VERSION__ decides is decided, as preprocessors of engines do not know it.
-/// @throws std::invalid_argument   as above; when the dialect has not what a snippet or a map needs
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(version v, std::span<const bound> items) {
+[[nodiscard]] std::string text(const std::vector<bound>& items, std::optional<version> v = {}) {
+    if (!v) return detail::compose<Use>(detail::glsl_language<Use>, items);
     for (const bound& item : items)
-        if (!supports(item, v))
-            umbrage::detail::fail("umbrage::glsl::text: version must be one that has " + std::string(item.what.name) +
-                                  item.suffix + "; got " + std::string(directive(v)));
-    const std::string known_prelude = detail::known_prelude<Use>(v), name = "GLSL " + std::string(directive(v));
+        if (!supports(item, *v))
+            umbrage::detail::refuse("glsl::text", "version",
+                                    "one that has " + std::string(item.what.name) + item.suffix,
+                                    std::string(directive(*v)).c_str());
+    const std::string known_prelude = detail::known_prelude<Use>(*v), name = "GLSL " + std::string(directive(*v));
     detail::language known = detail::glsl_language<Use>;
     known.prelude = known_prelude;
-    known.may_reorder = detail::has_precise(v) ? literal() : literal(name);
-    return detail::resolved<Use>(detail::compose<Use>(known, {items.begin(), items.end()}), detail::number(v));
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(version v, std::initializer_list<bound> items) {
-    return text<Use>(v, std::span<const bound>(items.begin(), items.size()));
+    known.may_reorder = detail::has_precise(*v) ? std::string_view() : std::string_view(name);
+    return detail::resolved<Use>(detail::compose<Use>(known, items), detail::number(*v));
 }
 
 /// The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
 /// binding says in the shader's own language has no tier.
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] tier exactness(std::span<const bound> items) {
-    return detail::composition<Use>(detail::glsl_language<Use>, {items.begin(), items.end()}).worst().exactness;
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] tier exactness(std::initializer_list<bound> items) {
+[[nodiscard]] tier exactness(const std::vector<bound>& items) {
     return detail::composition<Use>(detail::glsl_language<Use>, items).worst().exactness;
 }
 
@@ -20287,22 +21077,13 @@ template <class Use = umbrage::detail::on_use>
 ///
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
+[[nodiscard]] std::string source(version v, const std::vector<bound>& items, std::string_view preamble = {}) {
     std::string out = "#version ";
     out += directive(v);
     out += '\n';
     out += preamble;
     if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + text<Use>(v, items);
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
-    const std::vector<bound> items(snippets.begin(), snippets.end());
-    return source<Use>(v, std::span<const bound>(items), preamble);
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
-    return source<Use>(v, std::span<const bound>(items.begin(), items.size()), preamble);
+    return out + text<Use>(items, v);
 }
 
 }  // namespace umbrage::glsl
@@ -20329,11 +21110,11 @@ struct token {
 
 /// The longest sign that `text` begins with; empty where it begins with none.
 [[nodiscard]] inline std::string_view sign_at(std::string_view text) {
-    static constexpr literal two[]{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
-                                   "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
+    static constexpr std::string_view two[]{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
+                                            "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
     for (std::string_view sign : two)
         if (text.starts_with(sign)) return text.substr(0, 2);
-    static constexpr literal one = "+-*/%<>=!&|^~?:;,.()[]{}";
+    static constexpr std::string_view one = "+-*/%<>=!&|^~?:;,.()[]{}";
     return one.find(text.front()) == one.npos ? std::string_view() : text.substr(0, 1);
 }
 
@@ -20350,7 +21131,7 @@ struct token {
 /// The pieces of `text`, which must outlive them; the last is an end, whose space is what is left.
 /// @throws std::invalid_argument   for a character that is none of GLSL's
 template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<token> tokens(std::string_view text) {
+[[nodiscard]] std::vector<token> tokens(std::string_view text, std::string_view language = "glsl") {
     std::vector<token> all;
     for (std::size_t i = 0;;) {
         const std::size_t from = i;
@@ -20372,7 +21153,8 @@ template <class = umbrage::detail::on_use>
                 t.kind = piece::sign;
                 i += sign_at(rest).size();
                 if (i == at)
-                    umbrage::detail::fail("umbrage: not a character of GLSL: " + std::string(rest.substr(0, 1)));
+                    umbrage::detail::refuse(std::string(language) + "::text", "source", "of characters of GLSL",
+                                            rest.substr(0, 1));
             }
             t.text = text.substr(at, i - at);
         }
@@ -20398,7 +21180,7 @@ template <class = umbrage::detail::on_use>
 /// The bracket that closes the one at all[i].
 /// @throws std::invalid_argument   where none does
 template <class = umbrage::detail::on_use>
-[[nodiscard]] std::size_t closing(const std::vector<token>& all, std::size_t i) {
+[[nodiscard]] std::size_t closing(const std::vector<token>& all, std::size_t i, std::string_view language = "glsl") {
     std::size_t depth = 0;
     for (std::size_t k = i; k < all.size(); ++k) {
         if (all[k].kind != piece::sign) continue;
@@ -20406,7 +21188,8 @@ template <class = umbrage::detail::on_use>
         if (c == '(' || c == '[' || c == '{') ++depth;
         if ((c == ')' || c == ']' || c == '}') && --depth == 0) return k;
     }
-    umbrage::detail::fail("umbrage: a bracket is not closed");
+    umbrage::detail::refuse(std::string(language) + "::text", "source", "of brackets in pairs", all[i].text,
+                            "Nothing closes it.");
 }
 
 }  // namespace umbrage::glsl::detail
@@ -20422,7 +21205,7 @@ enum class word_kind { type, function, keyword };
 
 struct word {
     word_kind kind;
-    literal glsl, hlsl, msl, wgsl;
+    std::string_view glsl, hlsl, msl, wgsl;
 };
 
 // clang-format off
@@ -20502,7 +21285,7 @@ inline constexpr word vocabulary[]{
 
 /// @throws std::invalid_argument, naming the word
 [[noreturn]] inline void unknown(std::string_view language, std::string_view word) {
-    umbrage::detail::fail("umbrage::" + std::string(language) + "::text: no word for " + std::string(word));
+    umbrage::detail::refuse(std::string(language) + "::text", "source", "of words that the language has", word);
 }
 
 }  // namespace umbrage::glsl::detail
@@ -20515,14 +21298,14 @@ namespace umbrage::glsl::detail {
 
 /// Where such a language differs.
 struct near_language {
-    literal name;
-    literal word::*own;
-    literal precise;               ///< for UMBRAGE_PRECISE; empty: nothing
-    literal function;              ///< before each function's type,
-    literal condition;             ///< and before that of one that tells true from false
+    std::string_view name;
+    std::string_view word::*own;
+    std::string_view precise;      ///< for UMBRAGE_PRECISE; empty: nothing
+    std::string_view function;     ///< before each function's type,
+    std::string_view condition;    ///< and before that of one that tells true from false
     bool matrices_have_rows;       ///< m[i] is a row of m, its constructor takes rows
     bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
-    literal reserved;              ///< what GLSL may call a variable, and this language may not: " a b "
+    std::string_view reserved;     ///< what GLSL may call a variable, and this language may not: " a b "
 };
 
 /// Prints functions in a near language.
@@ -20530,7 +21313,7 @@ template <class = umbrage::detail::on_use>
 class word_by_word {
 public:
     word_by_word(const near_language& language, std::string_view text)
-        : language_(language), all_(newest(tokens(text))) {}
+        : language_(language), all_(newest(tokens(text, language.name))) {}
 
     [[nodiscard]] std::string print() {
         std::string out = print(0, all_.size() - 1);
@@ -20610,7 +21393,7 @@ private:
 
     std::size_t print_constructor(std::string& out, std::size_t i, std::string_view own) {
         const std::string_view type = all_[i].text;
-        const std::size_t end = closing(all_, i + 1);
+        const std::size_t end = closing(all_, i + 1, language_.name);
         const std::string arguments = print(i + 2, end);
         const std::size_t count = arguments_in(i + 1, end);
         if (is_matrix(type) && count == 1) unknown(language_.name, std::string(type) + " of one");
@@ -20627,7 +21410,7 @@ private:
     [[nodiscard]] std::size_t arguments_in(std::size_t open, std::size_t end) const {
         std::size_t count = 1;
         for (std::size_t i = open + 1; i < end; ++i) {
-            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i);
+            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i, language_.name);
             if (all_[i] == ",") ++count;
         }
         return count;
@@ -20636,7 +21419,7 @@ private:
     /// A name, a number, a call or a component of those: nothing that a cast would have to be kept from.
     [[nodiscard]] bool is_operand(std::size_t from, std::size_t to) const {
         for (std::size_t i = from; i < to; ++i) {
-            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i);
+            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i, language_.name);
             else if (all_[i].kind == piece::sign && !(all_[i] == ".")) return false;
         }
         return true;
@@ -20656,10 +21439,10 @@ private:
     }
     /// A word that a map fills in.
     [[nodiscard]] static bool is_of_a_map(std::string_view word) {
-        static constexpr literal all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
-                                       "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
-                                       "UMBRAGE_ORIGIN",     "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",
-                                       "UMBRAGE_UV"};
+        static constexpr std::string_view all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
+                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
+                                                "UMBRAGE_ORIGIN",     "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",
+                                                "UMBRAGE_UV"};
         for (std::string_view w : all)
             if (word == w) return true;
         return false;
@@ -20785,9 +21568,13 @@ inline constexpr glsl::detail::near_language akin{.name = "hlsl",
 
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
-    .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
-    }};
+    .prelude = "",
+    .texture = texture,
+    .translate =
+        [](const glsl::snippet& s) {
+            return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
+        },
+    .function = "hlsl::text"};
 
 }  // namespace detail
 
@@ -20799,12 +21586,7 @@ inline constexpr glsl::detail::language language{
 ///
 /// @throws std::invalid_argument   for what HLSL has no word for
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
-}
-
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+[[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
     return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
@@ -20824,7 +21606,7 @@ namespace umbrage::msl {
 ///
 /// Both pragmas need the compiler of Metal 3.2: Xcode 16, macOS 15, iOS 18. Older ones need options for the whole
 /// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The latter may still fuse.
-inline constexpr literal prelude =
+inline constexpr std::string_view prelude =
     "\n#include <metal_stdlib>\n"  // no line of its own, which the single header would take for C++'s
     "#pragma METAL fp math_mode(safe)\n"
     "#pragma METAL fp contract(off)\n";
@@ -20929,9 +21711,13 @@ inline constexpr glsl::detail::near_language akin{.name = "msl",
 
 template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
-    .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
-    }};
+    .prelude = prelude,
+    .texture = texture,
+    .translate =
+        [](const glsl::snippet& s) {
+            return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
+        },
+    .function = "msl::text"};
 
 }  // namespace detail
 
@@ -20939,12 +21725,7 @@ inline constexpr glsl::detail::language language{
 /// shader.
 /// @throws std::invalid_argument   for what Metal has no word for
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
-}
-
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+[[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
     return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
@@ -21064,8 +21845,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 struct base255 {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "base255";
-    static constexpr literal summary =
+    static constexpr std::string_view name = "base255";
+    static constexpr std::string_view summary =
         "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
     static constexpr const glsl::snippet* writer = &glsl::write_base255;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
@@ -21091,8 +21872,8 @@ struct base255 {
 struct base255_repaired {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "base255_repaired";
-    static constexpr literal summary = "For readers of base 255, written without the fault.";
+    static constexpr std::string_view name = "base255_repaired";
+    static constexpr std::string_view summary = "For readers of base 255, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_base255_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
     static constexpr store_format writes = store_format::integers;
@@ -21303,8 +22084,8 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
 struct threejs_rgba {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_rgba";
-    static constexpr literal summary = "RGBA of three.js since r167: three whole bytes and the rest.";
+    static constexpr std::string_view name = "threejs_rgba";
+    static constexpr std::string_view summary = "RGBA of three.js since r167: three whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
     static constexpr store_format writes = store_format::values;
@@ -21327,8 +22108,8 @@ struct threejs_rgba {
 struct threejs_rgb {
     using target = unorm_target<8, 3>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_rgb";
-    static constexpr literal summary = "RGB of three.js since r167: two whole bytes and the rest.";
+    static constexpr std::string_view name = "threejs_rgb";
+    static constexpr std::string_view summary = "RGB of three.js since r167: two whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
     static constexpr store_format writes = store_format::values;
@@ -21351,8 +22132,8 @@ struct threejs_rgb {
 struct threejs_rg {
     using target = unorm_target<8, 2>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_rg";
-    static constexpr literal summary = "RG of three.js since r167: one whole byte and the rest.";
+    static constexpr std::string_view name = "threejs_rg";
+    static constexpr std::string_view summary = "RG of three.js since r167: one whole byte and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
     static constexpr store_format writes = store_format::values;
@@ -21488,8 +22269,9 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
 struct threejs_legacy {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_legacy";
-    static constexpr literal summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
+    static constexpr std::string_view name = "threejs_legacy";
+    static constexpr std::string_view summary =
+        "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
     static constexpr store_format writes = store_format::values;
@@ -21511,8 +22293,8 @@ struct threejs_legacy {
 struct threejs_legacy_repaired {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_legacy_repaired";
-    static constexpr literal summary = "For readers of three.js r73 to r166, written without the fault.";
+    static constexpr std::string_view name = "threejs_legacy_repaired";
+    static constexpr std::string_view summary = "For readers of three.js r73 to r166, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_threejs_legacy_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
     static constexpr store_format writes = store_format::integers;
@@ -21646,8 +22428,8 @@ public:
         members_.push_back(s);
         return *this;
     }
-    collection& add_all(std::initializer_list<snippet_span> lists) {
-        for (const snippet_span& some : lists)
+    collection& add_all(std::initializer_list<std::span<const snippet* const>> lists) {
+        for (const auto& some : lists)
             for (const snippet* s : some) add(s);
         return *this;
     }
@@ -21712,7 +22494,7 @@ template <class Use = umbrage::detail::on_use>
             .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets})
             .members();
     }();
-    return {all.data(), all.size()};  // a conversion checks concepts
+    return all;
 }
 
 }  // namespace umbrage::glsl
@@ -21824,7 +22606,7 @@ template <class = umbrage::detail::on_use>
 class expressions {
 public:
     expressions(std::string_view text, const signatures& functions)
-        : all_(glsl::detail::newest(glsl::detail::tokens(text))), functions_(functions) {}
+        : all_(glsl::detail::newest(glsl::detail::tokens(text, "wgsl"))), functions_(functions) {}
 
     std::size_t at = 0;               ///< the next token
     std::vector<variable> variables;  ///< in scope; of two of one name the last counts
@@ -22071,7 +22853,7 @@ public:
                 continue;
             }
             all.push_back(read_head());
-            at = glsl::detail::closing(all_, at) + 1;
+            at = glsl::detail::closing(all_, at, "wgsl") + 1;
         }
         for (const head& h : all) {
             bool alone = true;
@@ -22165,13 +22947,13 @@ private:
 
     /// Whether the function's body writes to what has that name.
     [[nodiscard]] bool is_assigned(std::string_view name) const {
-        static constexpr literal signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
-        const std::size_t end = glsl::detail::closing(all_, body_);
+        static constexpr std::string_view signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
+        const std::size_t end = glsl::detail::closing(all_, body_, "wgsl");
         for (std::size_t i = body_ + 1; i < end; ++i) {
             if (!(all_[i] == name) || glsl::detail::is_type(all_[i - 1].text)) continue;
             std::size_t behind = i + 1;
             while (all_[behind] == "." || all_[behind] == "[")
-                behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind) + 1;
+                behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind, "wgsl") + 1;
             if (all_[i - 1] == "++" || all_[i - 1] == "--") return true;
             for (std::string_view sign : signs)
                 if (all_[behind] == sign) return true;
@@ -22414,20 +23196,19 @@ template <class Use = umbrage::detail::on_use>
 }
 
 template <class Use = umbrage::detail::on_use>
-inline constexpr glsl::detail::language language{
-    .prelude = "", .texture = textures, .translate = translate<Use>, .may_reorder = "WGSL", .preprocessor = false};
+inline constexpr glsl::detail::language language{.prelude = "",
+                                                 .texture = textures,
+                                                 .translate = translate<Use>,
+                                                 .may_reorder = "WGSL",
+                                                 .preprocessor = false,
+                                                 .function = "wgsl::text"};
 
 }  // namespace detail
 
 /// The snippets, or what bind() gives for a map, and all they need, each function once: text to paste into any shader.
 /// @throws std::invalid_argument   for what WGSL has no word for
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
-}
-
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+[[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
     return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 

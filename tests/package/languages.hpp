@@ -4,9 +4,9 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/shader/glsl.hpp>
@@ -22,18 +22,15 @@ namespace glsl = umbrage::glsl;
 struct shader_language {
     std::string_view name, folder, extension;
     const glsl::detail::language* words;
-    std::string (*text)(std::span<const glsl::bound> items);
+    std::string (*text)(const std::vector<glsl::bound>& items);
 };
 
 inline const std::array languages{
     shader_language{"glsl", "glsl", ".glsl", &glsl::detail::glsl_language<>,
-                    [](std::span<const glsl::bound> items) { return glsl::text(items); }},
-    shader_language{"hlsl", "hlsl", ".hlsl", &umbrage::hlsl::detail::language<>,
-                    [](std::span<const glsl::bound> items) { return umbrage::hlsl::text(items); }},
-    shader_language{"msl", "metal", ".metal", &umbrage::msl::detail::language<>,
-                    [](std::span<const glsl::bound> items) { return umbrage::msl::text(items); }},
-    shader_language{"wgsl", "wgsl", ".wgsl", &umbrage::wgsl::detail::language<>,
-                    [](std::span<const glsl::bound> items) { return umbrage::wgsl::text(items); }},
+                    [](const std::vector<glsl::bound>& items) { return glsl::text(items); }},
+    shader_language{"hlsl", "hlsl", ".hlsl", &umbrage::hlsl::detail::language<>, umbrage::hlsl::text<>},
+    shader_language{"msl", "metal", ".metal", &umbrage::msl::detail::language<>, umbrage::msl::text<>},
+    shader_language{"wgsl", "wgsl", ".wgsl", &umbrage::wgsl::detail::language<>, umbrage::wgsl::text<>},
 };
 
 struct named_texture {

@@ -94,7 +94,7 @@ private:
         try {
             if (maps_.empty() || !(maps_.back() == map)) maps_.push_back(map);
             const bound item = bind(s, "map" + std::to_string(maps_.size()), map);
-            (void)language_.text({&item, 1});
+            (void)language_.text({item});
             all_.push_back(item);
         } catch (const std::invalid_argument& error) {
             ++refused_;

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -37,7 +38,7 @@ bool is_variant(const snippet& s) { return std::ranges::find(glsl::hooks::all, &
 /// What the module calls a snippet: its name, or of a hook's variant which one it is.
 std::string id(const snippet& s) { return is_variant(s) ? "hooks/" + std::string(s.summary) : std::string(s.name); }
 
-std::string list(glsl::snippet_span snippets) {
+std::string list(std::span<const snippet* const> snippets) {
     std::string out = "[";
     for (const snippet* s : snippets) out += (out.size() > 1 ? ", " : "") + literal(id(*s));
     return out + ']';

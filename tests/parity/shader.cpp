@@ -142,9 +142,7 @@ call_snippet::call_snippet(const entry& e, dialect::language in) : needs_{e.prim
     const bool several = e.bound.size() > 1;
     source_ = std::string("\nUMBRAGE_HIGHP ") + (several ? "float" : "vec4") + " umbrage_call(" + parameters +
               ") {\n    return " + e.call + ";\n}\n";
-    snippet call{.name = "call", .source = source_.c_str()};
-    call.needs.first = needs_.data();
-    call.needs.size = needs_.size();
+    const snippet call{.name = "call", .needs = needs_, .source = source_.c_str()};
     const auto call_of = [&](const std::string& name, const std::string& map) {
         std::string text = name + "(";
         for (const std::string& a : arguments) text += (&a == &arguments.front() ? "" : ", ") + (a == "map" ? map : a);
@@ -178,11 +176,10 @@ shader make_shader(const entry& e, dialect d, shader_stage of) {
     const auto located = [&](const char* what) { return (vulkan ? "layout(location = 0) " : "") + std::string(what); };
 
     const std::string pixel = compute ? "gl_GlobalInvocationID.xy" : "gl_FragCoord.xy";
-    const std::vector<snippet> none;
     shader s;
     if (!compute)
         s.vertex =
-            source(v, none) +
+            source(v, {}) +
             (old ? "attribute vec2 corner;\nvarying UMBRAGE_HIGHP vec2 position;\n" : located("in vec2 corner;\n")) +
             "void main() {\n" + (old ? "    position = corner * 0.5 + 0.5;\n" : "") +
             "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";

@@ -8,10 +8,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/literal.hpp>
 #include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
@@ -74,7 +74,7 @@ inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one};
 
 /// Clip spaces of APIs and engines, with their names.
 struct named_clip_space {
-    literal name;
+    std::string_view name;
     clip_space value;
 };
 inline constexpr named_clip_space clip_spaces[]{{"opengl_clip_space", opengl_clip_space},

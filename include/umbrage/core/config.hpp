@@ -7,7 +7,6 @@
 #pragma once
 
 #include <bit>
-#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -32,8 +31,9 @@ using error_handler = void (*)(const char* message);
 
 namespace detail {
 
-/// What templates take, by default, that are templates for one reason: a file compiles of them what it calls, and not
-/// whatever it includes.
+/// The default argument of what is a template for one reason: a file compiles what it calls, not all that it includes.
+/// For functions that use containers and for loops for several instruction sets, where nothing else makes them so.
+/// Without it umbrage.hpp would take 0.36 s more to compile, half as much again.
 struct on_use;
 
 inline error_handler handler = nullptr;
@@ -57,15 +57,6 @@ template <class To, class From>
     return std::bit_cast<To>(from);
 #else
     return __builtin_bit_cast(To, from);
-#endif
-}
-
-/// How long a text is, in one step where a constant is made of it.
-[[nodiscard]] constexpr std::size_t length(const char* text) {
-#if defined(__GNUC__) || defined(__clang__)
-    return __builtin_strlen(text);
-#else
-    return std::char_traits<char>::length(text);
 #endif
 }
 

@@ -7,10 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
-
-#include <umbrage/core/literal.hpp>
 
 namespace umbrage::glsl {
 
@@ -77,18 +76,6 @@ enum class hook {
 
 struct snippet;
 
-/// Snippets in a row: a list<>, a header's. A span, but for what it costs to compile.
-struct snippet_span {
-    const snippet* const* first = nullptr;
-    std::size_t size = 0;
-
-    constexpr snippet_span() = default;
-    template <std::size_t Size>
-    constexpr snippet_span(const snippet* const (&snippets)[Size]) : first(snippets), size(Size) {}
-    [[nodiscard]] constexpr const snippet* const* begin() const { return first; }
-    [[nodiscard]] constexpr const snippet* const* end() const { return first + size; }
-};
-
 /// A snippet's GLSL: as it is written down, or what a function puts together each time it is asked for, which spares
 /// whoever includes the header the work.
 class snippet_text {
@@ -109,14 +96,14 @@ private:
 
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
-    literal name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
-    literal summary{};  ///< one line
+    std::string_view name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
+    std::string_view summary{};  ///< one line
     tier exactness = tier::a;
     int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
     float within = 0.0f;      ///< tier c without n: greatest difference from C++; above 1 a share of it
     bool as_written = false;  ///< `within` holds where + - * round to nearest in written order, no bound elsewhere
-    version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
-    snippet_span needs{};            ///< a list<>
+    version lowest = version::v100;           ///< v100: every dialect; v300_es: 300 es and 330 upwards
+    std::span<const snippet* const> needs{};  ///< a list<>
     hook role = hook::none;
     bool scaled = false;  ///< makes depths on a scale of their own, on which 1.0 is not the far plane
     snippet_text source;

@@ -6,6 +6,8 @@
 //
 #pragma once
 
+#include <string_view>
+
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/depth/encoding.hpp>
 
@@ -15,8 +17,8 @@ namespace umbrage {
 struct depth32f {
     using target = float_target;
     using texel = target::texel;
-    static constexpr literal name = "depth32f";
-    static constexpr literal summary = "A float texture: nothing to encode.";
+    static constexpr std::string_view name = "depth32f";
+    static constexpr std::string_view summary = "A float texture: nothing to encode.";
     static constexpr const glsl::snippet* writer = &glsl::saturate;
     static constexpr const glsl::snippet* reader = nullptr;
     static constexpr store_format writes = store_format::depth;

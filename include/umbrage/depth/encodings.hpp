@@ -7,6 +7,8 @@
 //
 #pragma once
 
+#include <string_view>
+
 #include <umbrage/core/list.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/depth/encoding.hpp>

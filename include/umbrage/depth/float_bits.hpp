@@ -9,6 +9,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <string_view>
 
 #include <glm/fwd.hpp>
 #include <glm/vec4.hpp>
@@ -86,8 +87,8 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 struct float_bits {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "float_bits";
-    static constexpr literal summary = "The bit pattern of the float itself, R least significant.";
+    static constexpr std::string_view name = "float_bits";
+    static constexpr std::string_view summary = "The bit pattern of the float itself, R least significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
     static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
     static constexpr store_format writes = store_format::integers;

@@ -78,8 +78,8 @@ UMBRAGE_HIGHP float umbrage_decode_r16(UMBRAGE_HIGHP float c, UMBRAGE_HIGHP floa
 struct r16 {
     using target = unorm_target<16, 1>;
     using texel = target::texel;
-    static constexpr literal name = "r16";
-    static constexpr literal summary = "One channel of 16 bits.";
+    static constexpr std::string_view name = "r16";
+    static constexpr std::string_view summary = "One channel of 16 bits.";
     static constexpr const glsl::snippet* writer = &glsl::encode_r16;
     static constexpr const glsl::snippet* reader = &glsl::decode_r16;
     static constexpr store_format writes = store_format::integers;

@@ -11,6 +11,7 @@
 
 #include <cassert>
 #include <string>
+#include <string_view>
 
 #include <glm/fwd.hpp>
 #include <glm/vec2.hpp>
@@ -110,8 +111,8 @@ struct rg {
     using target = unorm_target<8, 2>;
     using texel = target::texel;
     static constexpr glsl::detail::short_name name_text{"rg$b", {{'b', Bits}}};
-    static constexpr literal name = name_text.view();
-    static constexpr literal summary = "Two channels: R the low byte, G the rest in its high bits.";
+    static constexpr std::string_view name = name_text.view();
+    static constexpr std::string_view summary = "Two channels: R the low byte, G the rest in its high bits.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
     static constexpr const glsl::snippet* reader = &glsl::decode_rg<Bits>;
     static constexpr store_format writes = store_format::integers;

@@ -91,8 +91,8 @@ UMBRAGE_HIGHP float umbrage_decode_rgb10(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 struct rgb10 {
     using target = unorm_target<10, 3>;
     using texel = target::texel;
-    static constexpr literal name = "rgb10";
-    static constexpr literal summary = "Three 10-bit channels of R10G10B10A2, R most significant.";
+    static constexpr std::string_view name = "rgb10";
+    static constexpr std::string_view summary = "Three 10-bit channels of R10G10B10A2, R most significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rgb10;
     static constexpr const glsl::snippet* reader = &glsl::decode_rgb10;
     static constexpr store_format writes = store_format::integers;

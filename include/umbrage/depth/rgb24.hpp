@@ -7,6 +7,8 @@
 //
 #pragma once
 
+#include <string_view>
+
 #include <glm/fwd.hpp>
 #include <glm/vec3.hpp>
 
@@ -87,8 +89,8 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 struct rgb24 {
     using target = unorm_target<8, 3>;
     using texel = target::texel;
-    static constexpr literal name = "rgb24";
-    static constexpr literal summary = "Three channels, R most significant.";
+    static constexpr std::string_view name = "rgb24";
+    static constexpr std::string_view summary = "Three channels, R most significant.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rgb24;
     static constexpr const glsl::snippet* reader = &glsl::decode_rgb24;
     static constexpr store_format writes = store_format::integers;

@@ -6,6 +6,8 @@
 //
 #pragma once
 
+#include <string_view>
+
 #include <umbrage/core/list.hpp>
 #include <umbrage/filter/blocker/dpcf.hpp>
 #include <umbrage/filter/blocker/pcss.hpp>

@@ -33,7 +33,6 @@ namespace umbrage {
 class triangle_weights {
 public:
     /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
-    template <class = detail::on_use>
     triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      unsigned triangle)
         : top_(clip.origin == texture_origin::top ? size.y : 0),
@@ -51,7 +50,6 @@ public:
     ///              the weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
     /// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
     /// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
-    template <class = detail::on_use>
     [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
         const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
         const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
@@ -72,9 +70,8 @@ private:
 };
 
 /// triangle_weights for a single texel.
-template <class = detail::on_use>
-[[nodiscard]] glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
-                                     clip_space clip, glm::ivec2 texel, unsigned triangle) {
+[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
     return triangle_weights(size, mesh, world_to_clip, clip, triangle)(texel);
 }
 

@@ -4,7 +4,7 @@
 //
 //     const auto seen = umbrage::measure_depths(camera_depths.view(), umbrage::cleared_depth(clip));
 //     const glm::vec2 range = umbrage::seen_range(seen, z_near, z_far, clip.direction);
-//     auto splits = umbrage::logarithmic_splits<4>(range.x, range.y);
+//     auto splits = umbrage::practical_splits<4>(range.x, range.y, 1.0f);
 //
 #pragma once
 
@@ -16,9 +16,9 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/images/parallel.hpp>

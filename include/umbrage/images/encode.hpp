@@ -9,7 +9,6 @@
 // that compilers can vectorise; any other type like them works as well.
 #pragma once
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/depth/encoding.hpp>
@@ -37,9 +36,9 @@ UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, cons
     if (x == count) return;
     From padded[block]{};
     To result[block];
-    copy(from + x, std::size_t(count - x), padded);
+    for (int i = x; i < count; ++i) padded[i - x] = from[i];
     convert_rest(padded, result);
-    copy(result, std::size_t(count - x), to + x);
+    for (int i = x; i < count; ++i) to[i] = result[i - x];
 }
 template <class From, class To, class Convert>
 UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {

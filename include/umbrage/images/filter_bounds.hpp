@@ -9,9 +9,9 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/images/blocks/box_bounds.hpp>
@@ -41,16 +41,14 @@ template <class ParallelFor = serial>
     const bool border = outside == outside_map::bordered;
     if (border) {
         ringed = image<float>(map.size + 2, cleared_depth(direction));
-        for (int y = 0; y < map.size.y; ++y)
-            detail::copy(map.row(y), std::size_t(map.size.x), ringed.view().row(y + 1) + 1);
+        for (int y = 0; y < map.size.y; ++y) std::copy_n(map.row(y), map.size.x, ringed.view().row(y + 1) + 1);
         map = ringed.view();
     }
     const detail::reached_texels reached(reach);
     detail::box_bounds tree(map, reached.count(), parallel);
     const int steps = 256 << tree.level;
     image<glm::vec2> bounds(tree.last + 1);
-    for (int y = 0; y <= tree.last.y; ++y)
-        detail::copy(tree.bounds.view.row(y), std::size_t(bounds.size().x), bounds.view().row(y));
+    for (int y = 0; y <= tree.last.y; ++y) std::copy_n(tree.bounds.view.row(y), bounds.size().x, bounds.view().row(y));
     const int first = reached.before() + (tree.cells - 1) * steps + (border ? 256 : 0);
     return {std::move(bounds), {static_cast<float>(first), 1.0f / static_cast<float>(steps)}};
 }

@@ -23,9 +23,9 @@
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/light/bounds.hpp>

@@ -11,6 +11,7 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -20,7 +21,6 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/images/quality.hpp>
@@ -78,7 +78,9 @@ template <real T>
         }
         choice.p95.push_back(0);
         if (extents.empty()) continue;
-        choice.p95.back() = detail::ranked(extents, static_cast<std::size_t>(double(extents.size() - 1) * 0.95));
+        const auto p95 = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
+        std::nth_element(extents.begin(), p95, extents.end());
+        choice.p95.back() = *p95;
     }
     std::size_t best = 0;
     for (std::size_t i = 1; i < lights.size(); ++i)

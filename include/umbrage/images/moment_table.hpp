@@ -15,10 +15,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/filter/table/summed_moments.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/summed_area.hpp>

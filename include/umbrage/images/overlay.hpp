@@ -9,6 +9,7 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -16,11 +17,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/unorm.hpp>
 #include <umbrage/view/overlay_texel.hpp>
@@ -51,8 +52,12 @@ template <class = detail::on_use>
         for (int x = 0; x < map.size.x; ++x)
             if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
     if (depths.empty()) return {};
-    const auto given_up = static_cast<std::size_t>(outliers * static_cast<double>(depths.size()));
-    return {detail::ranked(depths, given_up), detail::ranked(depths, depths.size() - 1 - given_up)};
+    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
+    const auto ranked = [&](auto at) {
+        std::nth_element(depths.begin(), at, depths.end());
+        return *at;
+    };
+    return {ranked(depths.begin() + given_up), ranked(depths.end() - 1 - given_up)};
 }
 
 /// Where an overlay goes: the top left corner, as people see it.

@@ -13,6 +13,7 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include <glm/fwd.hpp>
@@ -21,9 +22,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
-#include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
@@ -55,8 +54,7 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
     for (const auto& [page, slot] : pages) {
         const light_space<double> light = page_light(root, page, size);
         const image_view<float> map = atlas.region(slot * size.pitch(), glm::ivec2(size.pitch()));
-        for (int y = 0; y < map.size.y; ++y)
-            detail::fill(map.row(y), std::size_t(map.size.x), cleared_depth(root.clip));
+        for (int y = 0; y < map.size.y; ++y) std::fill_n(map.row(y), map.size.x, cleared_depth(root.clip));
         draw(map, glm::mat4(light.projection * light.view));
     }
 }
@@ -65,14 +63,13 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 /// @param table   of page_table_size, gets a page_entry for each of the cache's finest cells, row 1 the root's first;
 ///                no page, and around the root: zeros
 /// @throws std::invalid_argument  a table of another size
-template <class = detail::on_use>
-void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
+inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
     detail::require_size(table.size, page_table_size(cache), "write_page_table", "table.size", "page_table_size");
-    for (int y = 0; y < table.size.y; ++y) detail::fill(table.row(y), std::size_t(table.size.x), glm::u8vec4(0));
+    for (int y = 0; y < table.size.y; ++y) std::fill_n(table.row(y), table.size.x, glm::u8vec4(0));
     cache.for_each([&](const page& p, glm::ivec2 slot) {
         const int cells = (table.size.x - 2) >> p.level;
         for (int y = p.y * cells; y < (p.y + 1) * cells; ++y)
-            detail::fill(table.row(1 + y) + 1 + p.x * cells, std::size_t(cells), page_entry(slot, p.level));
+            std::fill_n(table.row(1 + y) + 1 + p.x * cells, cells, page_entry(slot, p.level));
     });
 }
 

@@ -9,8 +9,6 @@
 // Bit for bit what the filter gives for each receiver alone over apply_receiver_plane(fetch, slope, coord).
 #pragma once
 
-#include <string_view>
-
 #include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/images/blocks/plane_forms.hpp>
@@ -26,7 +24,7 @@ struct sloped_receivers {
 
 namespace detail {
 
-[[nodiscard]] inline glm::ivec2 size_of(const sloped_receivers& receivers, std::string_view function) {
+[[nodiscard]] inline glm::ivec2 size_of(const sloped_receivers& receivers, const char* function) {
     const glm::ivec2 size = size_of(receivers.at, function);
     require_size(receivers.slope_x.size, size, function, "receivers.slope_x.size", "that of receivers.at");
     require_size(receivers.slope_y.size, size, function, "receivers.slope_y.size", "that of receivers.at");
@@ -134,7 +132,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
         detail::filter_planes(receivers, glm::vec2(map.size), filter, fetch, direction, out, parallel, !done);
     };
     const auto clamped_map = decoded(clamped(map), encoding);
-    const detail::decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
     if (outside == outside_map::bordered) by_itself(detail::erase(bordered_map));
     else by_itself(detail::erase(clamped_map));
 }

@@ -10,6 +10,7 @@
 // loses bits as it grows, and its differences lose more.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -17,9 +18,9 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
@@ -79,7 +80,7 @@ public:
     void take(int strip, int first, int last, Sum* sums) const {
         int known = strip;
         while (load_acquire(rows_[std::size_t(known)]) < last) --known;
-        copy(sums_.data() + place_of(known, first), std::size_t(last - first), sums);
+        std::copy_n(sums_.data() + place_of(known, first), last - first, sums);
         const int left = known * columns_, width = strip * columns_ - left;
         on_best_isa([&](auto set) UMBRAGE_INLINE {
             constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
@@ -88,7 +89,7 @@ public:
     }
     /// The same, after those of the rows before.
     void give(int strip, int first, int last, const Sum* sums) {
-        copy(sums, std::size_t(last - first), sums_.data() + place_of(strip, first));
+        std::copy_n(sums, last - first, sums_.data() + place_of(strip, first));
         store_release(last, rows_[std::size_t(strip)]);
     }
 
@@ -142,7 +143,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
             starts.give(last, y, end, before);
             if constexpr (std::is_integral_v<Sum>) continue;
             for (std::size_t i = 0; i < length; ++i) band.base[i] = band.line[i] + band.base[i];
-            detail::fill(band.line, length, Sum(0));
+            std::fill_n(band.line, length, Sum(0));
         }
     });
 }

@@ -6,12 +6,12 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/images/mesh.hpp>
@@ -38,8 +38,7 @@ void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh,
     image<float> drawn(depth.size);
     for (int i = 0; i < 4; ++i) {
         const light_space<float>& face = faces[static_cast<std::size_t>(i)];
-        for (int y = 0; y < depth.size.y; ++y)
-            detail::copy(depth.row(y), std::size_t(depth.size.x), drawn.view().row(y));
+        for (int y = 0; y < depth.size.y; ++y) std::copy_n(depth.row(y), depth.size.x, drawn.view().row(y));
         rasterize_depth(drawn.view(), mesh, face.projection * face.view, face.clip, cull, parallel);
         for (glm::ivec2 texel{0}; texel.y < depth.size.y; ++texel.y)
             for (texel.x = 0; texel.x < depth.size.x; ++texel.x)

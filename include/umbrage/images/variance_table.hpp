@@ -15,9 +15,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/images/parallel.hpp>

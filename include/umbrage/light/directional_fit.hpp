@@ -14,8 +14,8 @@
 #include <cmath>
 #include <optional>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>

@@ -13,9 +13,9 @@
 #include <numbers>
 #include <optional>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>

@@ -22,7 +22,7 @@ namespace umbrage {
 
 /// World to texels and depth, before the division by w.
 ///
-/// @param map_size   texels, each >= 1; the first texel's center is (0.5, 0.5)
+/// @param map_size   texels, each >= 1; the first texel's center is (0.5, 0.5). (1, 1) gives normalized coordinates, UV
 /// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
 ///                   [-1, 1] clip space becomes z / 2 + 1 / 2
@@ -58,12 +58,6 @@ template <real T>
 }
 
 }  // namespace detail
-
-/// The same to [0, 1]: what texture look-ups with normalized coordinates take.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
-    return texture_matrix(light, {1, 1});
-}
 
 /// The taps of the 2002 sample: half a texel off in both directions.
 template <real T>

@@ -10,6 +10,7 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/chosen.hpp>
 #include <umbrage/shader/fill.hpp>
@@ -20,13 +21,13 @@ namespace umbrage::glsl::detail {
 
 /// What there is to know of a language.
 struct language {
-    literal prelude;  ///< what every text begins with
+    std::string_view prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
-    literal may_reorder{};                       ///< its name if compilers may fuse or reorder sums; else empty
+    std::string_view may_reorder{};              ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
-    literal function = "glsl::text";             ///< that a user calls
+    std::string_view function = "glsl::text";    ///< that a user calls
 };
 
 /// One text in the making.

@@ -4,13 +4,14 @@
 //
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/chosen.hpp>
 
@@ -19,16 +20,16 @@ namespace umbrage::glsl::detail {
 /// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
 /// 0 to 1.
 struct texture_words {
-    literal parameters, arguments;
-    literal texel{};                        ///< vec4; lines that begin with # stand for the whole statement
-    literal sampled{};                      ///< vec4 at `uv`
-    literal lit{};                          ///< the sampler's comparison with `receiver`: float
-    literal gather_red{}, gather_green{};   ///< vec4
-    literal gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    literal lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
-    literal size{};                         ///< of the texture: vec2
-    literal sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
-    snippet_span needs{};                   ///< what these words call
+    std::string_view parameters, arguments;
+    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view sampled{};                      ///< vec4 at `uv`
+    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};   ///< vec4
+    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
+    std::string_view size{};                         ///< of the texture: vec2
+    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    std::span<const snippet* const> needs{};         ///< what these words call
 };
 
 /// The text with each word replaced by replacement(word, in_comment).

@@ -6,8 +6,7 @@
 //
 #pragma once
 
-#include <initializer_list>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +19,7 @@
 namespace umbrage::glsl {
 
 /// Macros that every text relies on; each can be defined beforehand to something else.
-inline constexpr literal prelude = R"GLSL(
+inline constexpr std::string_view prelude = R"GLSL(
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
 #define UMBRAGE_HIGHP highp
@@ -188,49 +187,30 @@ template <class = umbrage::detail::on_use>
 }
 
 /// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
-/// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name
+/// @param items   snippets, or what bind() gives for a map, in braces; of another container {begin, end}
+/// @param v       the dialect, whose `#if __VERSION__` are decided for preprocessors of engines; none: text for any
+/// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name; a dialect without
+///                                 what a snippet or a map needs
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::span<const bound> items) {
-    return detail::compose<Use>(detail::glsl_language<Use>, {items.begin(), items.end()});
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::span<const snippet> snippets) {
-    return detail::compose<Use>(detail::glsl_language<Use>, {snippets.begin(), snippets.end()});
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::initializer_list<bound> items) {
-    return detail::compose<Use>(detail::glsl_language<Use>, items);
-}
-
-/// The same for a dialect: what __VERSION__ decides is decided, as preprocessors of engines do not know it.
-/// @throws std::invalid_argument   as above; when the dialect has not what a snippet or a map needs
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(version v, std::span<const bound> items) {
+[[nodiscard]] std::string text(const std::vector<bound>& items, std::optional<version> v = {}) {
+    if (!v) return detail::compose<Use>(detail::glsl_language<Use>, items);
     for (const bound& item : items)
-        if (!supports(item, v))
+        if (!supports(item, *v))
             umbrage::detail::refuse("glsl::text", "version",
                                     "one that has " + std::string(item.what.name) + item.suffix,
-                                    std::string(directive(v)).c_str());
-    const std::string known_prelude = detail::known_prelude<Use>(v), name = "GLSL " + std::string(directive(v));
+                                    std::string(directive(*v)).c_str());
+    const std::string known_prelude = detail::known_prelude<Use>(*v), name = "GLSL " + std::string(directive(*v));
     detail::language known = detail::glsl_language<Use>;
     known.prelude = known_prelude;
-    known.may_reorder = detail::has_precise(v) ? literal() : literal(name);
-    return detail::resolved<Use>(detail::compose<Use>(known, {items.begin(), items.end()}), detail::number(v));
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(version v, std::initializer_list<bound> items) {
-    return text<Use>(v, std::span<const bound>(items.begin(), items.size()));
+    known.may_reorder = detail::has_precise(*v) ? std::string_view() : std::string_view(name);
+    return detail::resolved<Use>(detail::compose<Use>(known, items), detail::number(*v));
 }
 
 /// The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
 /// binding says in the shader's own language has no tier.
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] tier exactness(std::span<const bound> items) {
-    return detail::composition<Use>(detail::glsl_language<Use>, {items.begin(), items.end()}).worst().exactness;
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] tier exactness(std::initializer_list<bound> items) {
+[[nodiscard]] tier exactness(const std::vector<bound>& items) {
     return detail::composition<Use>(detail::glsl_language<Use>, items).worst().exactness;
 }
 
@@ -246,22 +226,13 @@ template <class Use = umbrage::detail::on_use>
 ///
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
+[[nodiscard]] std::string source(version v, const std::vector<bound>& items, std::string_view preamble = {}) {
     std::string out = "#version ";
     out += directive(v);
     out += '\n';
     out += preamble;
     if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + text<Use>(v, items);
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
-    const std::vector<bound> items(snippets.begin(), snippets.end());
-    return source<Use>(v, std::span<const bound>(items), preamble);
-}
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
-    return source<Use>(v, std::span<const bound>(items.begin(), items.size()), preamble);
+    return out + text<Use>(items, v);
 }
 
 }  // namespace umbrage::glsl

@@ -10,9 +10,8 @@
 //
 #pragma once
 
-#include <initializer_list>
-#include <span>
 #include <string>
+#include <vector>
 
 #include <umbrage/core/config.hpp>
 #include <umbrage/light/point/cube_atlas.hpp>
@@ -131,12 +130,7 @@ inline constexpr glsl::detail::language language{
 ///
 /// @throws std::invalid_argument   for what HLSL has no word for
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
-}
-
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+[[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
     return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 

@@ -7,9 +7,9 @@
 //
 #pragma once
 
-#include <initializer_list>
-#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <umbrage/core/config.hpp>
 #include <umbrage/light/point/cube_atlas.hpp>
@@ -23,7 +23,7 @@ namespace umbrage::msl {
 ///
 /// Both pragmas need the compiler of Metal 3.2: Xcode 16, macOS 15, iOS 18. Older ones need options for the whole
 /// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The latter may still fuse.
-inline constexpr literal prelude =
+inline constexpr std::string_view prelude =
     "\n#include <metal_stdlib>\n"  // no line of its own, which the single header would take for C++'s
     "#pragma METAL fp math_mode(safe)\n"
     "#pragma METAL fp contract(off)\n";
@@ -142,12 +142,7 @@ inline constexpr glsl::detail::language language{
 /// shader.
 /// @throws std::invalid_argument   for what Metal has no word for
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
-}
-
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+[[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
     return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 

@@ -77,8 +77,8 @@ public:
         members_.push_back(s);
         return *this;
     }
-    collection& add_all(std::initializer_list<snippet_span> lists) {
-        for (const snippet_span& some : lists)
+    collection& add_all(std::initializer_list<std::span<const snippet* const>> lists) {
+        for (const auto& some : lists)
             for (const snippet* s : some) add(s);
         return *this;
     }
@@ -143,7 +143,7 @@ template <class Use = umbrage::detail::on_use>
             .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets})
             .members();
     }();
-    return {all.data(), all.size()};  // a conversion checks concepts
+    return all;
 }
 
 }  // namespace umbrage::glsl

@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/memory.hpp>
@@ -129,7 +129,7 @@ UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum be
             sum_some(as_asked, rest, base + x, line + x, to + x);
         } else {
             sum_some(std::false_type{}, rest, base + x, line + x, result);
-            copy(result, std::size_t(there), to + x);
+            for (int i = 0; i < there; ++i) to[x + i] = result[i];
         }
     }
     return carry[0];

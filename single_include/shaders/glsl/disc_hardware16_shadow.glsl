@@ -6,6 +6,7 @@
 // Map: `sampler2DShadow map`, a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters
 //   linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -56,13 +57,40 @@ bool umbrage_within_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_COMPARE_SHADOW
+#define UMBRAGE_HAS_COMPARE_SHADOW
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+UMBRAGE_HIGHP float umbrage_compare_shadow(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+#define UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+// umbrage_cleared_depth_shadow: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth_shadow() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+#define UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
+UMBRAGE_HIGHP float umbrage_border_depth_shadow() {
+    return umbrage_cleared_depth_shadow();
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                           UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
-    return textureLod(map, vec3(uv, receiver), 0.0);
+    UMBRAGE_HIGHP float lit = textureLod(map, vec3(uv, receiver), 0.0);
+    UMBRAGE_HIGHP float outside = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
 }
 #endif
 

@@ -8,6 +8,7 @@
 //   umbrage_to_optimized_moments of umbrage_encode_msm of the far plane's depth.
 // Options, to define in front:
 //   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_CLAMPED                   outside the map the nearest texel inside counts; without it the far plane, lit
 //   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 //   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
@@ -111,6 +112,19 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 }
 #endif
 
+#ifndef UMBRAGE_HAS_MAP_COVERS
+#define UMBRAGE_HAS_MAP_COVERS
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// UMBRAGE_CLAMPED: define it and all receivers do
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+#ifdef UMBRAGE_CLAMPED
+    return true;
+#else
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+#endif
+}
+#endif
+
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
@@ -203,7 +217,7 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
 //   receiver   depth, biased;   bias  as of decode_msm
 UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
     UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return compared ? lit : 1.0;

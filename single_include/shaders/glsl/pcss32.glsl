@@ -7,7 +7,7 @@
 // Options, to define in front:
 //   UMBRAGE_MAP                       type of the map, in place of sampler2D
 //   UMBRAGE_FETCH(map, size, texel)   depth of a texel, in place of .x: for packed depths
-//   UMBRAGE_OUTSIDE_LIT               outside the map all is lit; without it the nearest texel inside counts
+//   UMBRAGE_CLAMPED                   outside the map the nearest texel inside counts; without it the far plane, lit
 //   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 //   UMBRAGE_COMPARE(receiver, stored) 1.0 for a lit receiver, else 0.0
 //   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
@@ -60,14 +60,6 @@ UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP v
     UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
     UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
     return texel + floor(vec2(x, y));
-}
-#endif
-
-#ifndef UMBRAGE_HAS_INSIDE_MAP
-#define UMBRAGE_HAS_INSIDE_MAP
-// umbrage_inside_map: whether a texel is one of a map's of size texels
-bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
 }
 #endif
 
@@ -176,17 +168,18 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
+    UMBRAGE_HIGHP vec2 at = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, at);
+    return at.x == texel.x && at.y == texel.y ? value : border;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
-// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+// UMBRAGE_CLAMPED: define it and outside the map the nearest texel inside counts, where it is else the far plane
 #ifndef UMBRAGE_FETCH
-#ifndef UMBRAGE_OUTSIDE_LIT
+#ifdef UMBRAGE_CLAMPED
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
 #else
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x

@@ -11,9 +11,11 @@
 // Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Map: `sampler2DShadow map`, a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters
 //   linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Options, to define in front:
 //   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 
@@ -116,15 +118,6 @@ UMBRAGE_HIGHP vec4 umbrage_texel_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIG
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FETCH_CLAMPED_DEPTHS
-#define UMBRAGE_HAS_FETCH_CLAMPED_DEPTHS
-// umbrage_fetch_clamped_depths: texel of a map; coordinates outside move to the nearest texel inside
-UMBRAGE_HIGHP vec4 umbrage_fetch_clamped_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
-                                                UMBRAGE_HIGHP vec2 texel) {
-    return umbrage_texel_depths(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
-}
-#endif
-
 #ifndef UMBRAGE_HAS_DECODE_DEPTHS
 #define UMBRAGE_HAS_DECODE_DEPTHS
 // umbrage_decode_depths: depth of a texel's value
@@ -133,12 +126,30 @@ UMBRAGE_HIGHP float umbrage_decode_depths(UMBRAGE_HIGHP vec4 value) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH_DEPTHS
+#define UMBRAGE_HAS_CLEARED_DEPTH_DEPTHS
+// umbrage_cleared_depth_depths: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth_depths() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BORDER_DEPTH_DEPTHS
+#define UMBRAGE_HAS_BORDER_DEPTH_DEPTHS
+// umbrage_border_depth_depths: what texels outside the map count as, the far plane
+UMBRAGE_HIGHP float umbrage_border_depth_depths() {
+    return umbrage_cleared_depth_depths();
+}
+#endif
+
 #ifndef UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
 #define UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
-// umbrage_fetch_depth_depths: stored depth of a texel, outside the map of the nearest one inside
+// umbrage_fetch_depth_depths: stored depth of a texel, outside the map that of the far plane
 UMBRAGE_HIGHP float umbrage_fetch_depth_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 texel) {
-    return umbrage_decode_depths(umbrage_fetch_clamped_depths(map, size, texel));
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float depth = umbrage_decode_depths(umbrage_texel_depths(map, size, inside));
+    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth_depths();
 }
 #endif
 
@@ -230,13 +241,40 @@ bool umbrage_within_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_COMPARE_SHADOW
+#define UMBRAGE_HAS_COMPARE_SHADOW
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+UMBRAGE_HIGHP float umbrage_compare_shadow(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+#define UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+// umbrage_cleared_depth_shadow: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth_shadow() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+#define UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
+UMBRAGE_HIGHP float umbrage_border_depth_shadow() {
+    return umbrage_cleared_depth_shadow();
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                           UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
-    return textureLod(map, vec3(uv, receiver), 0.0);
+    UMBRAGE_HIGHP float lit = textureLod(map, vec3(uv, receiver), 0.0);
+    UMBRAGE_HIGHP float outside = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
 }
 #endif
 

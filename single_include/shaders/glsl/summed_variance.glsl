@@ -7,6 +7,7 @@
 // Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
 // Options, to define in front:
 //   UMBRAGE_MAP                       type of the map, in place of sampler2D
+//   UMBRAGE_CLAMPED                   outside the map the nearest texel inside counts; without it the far plane, lit
 //   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
 //   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
 
@@ -74,6 +75,19 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MAP_COVERS
+#define UMBRAGE_HAS_MAP_COVERS
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// UMBRAGE_CLAMPED: define it and all receivers do
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+#ifdef UMBRAGE_CLAMPED
+    return true;
+#else
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+#endif
 }
 #endif
 
@@ -149,8 +163,8 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
 UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP float codes) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 last = size - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);

@@ -4,6 +4,7 @@
 // Map: `Texture2D<float> map, SamplerComparisonState map_sampler`, a depth texture. Its sampler passes receiver <=
 //   depth, clamps to the edge and filters nearest.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -66,12 +67,39 @@ float umbrage_lit_texel_shadow(Texture2D<float> map, SamplerComparisonState map_
 }
 #endif
 
+#ifndef UMBRAGE_HAS_COMPARE_SHADOW
+#define UMBRAGE_HAS_COMPARE_SHADOW
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+float umbrage_compare_shadow(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+#define UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+// umbrage_cleared_depth_shadow: depth of the far plane
+float umbrage_cleared_depth_shadow() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+#define UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
+float umbrage_border_depth_shadow() {
+    return umbrage_cleared_depth_shadow();
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_SHADOW
 #define UMBRAGE_HAS_LIT_SHADOW
-// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the nearest one inside
+// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the far plane
 float umbrage_lit_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 texel,
                          float receiver) {
-    return umbrage_lit_texel_shadow(map, map_sampler, size, clamp(texel, float2(0.0, 0.0), size - 1.0), receiver);
+    float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float lit = umbrage_lit_texel_shadow(map, map_sampler, size, inside, receiver);
+    float outside = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 #endif
 

@@ -5,6 +5,7 @@
 // Map: `Texture2D<float> map, SamplerComparisonState map_sampler`, a depth texture. Its sampler passes receiver <=
 //   depth, clamps to the edge and filters linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -40,13 +41,40 @@ precise bool umbrage_within_far_plane_shadow(float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_COMPARE_SHADOW
+#define UMBRAGE_HAS_COMPARE_SHADOW
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+float umbrage_compare_shadow(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+#define UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+// umbrage_cleared_depth_shadow: depth of the far plane
+float umbrage_cleared_depth_shadow() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+#define UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
+float umbrage_border_depth_shadow() {
+    return umbrage_cleared_depth_shadow();
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 uv,
                             float receiver) {
-    return map.SampleCmpLevelZero(map_sampler, uv, receiver);
+    float lit = map.SampleCmpLevelZero(map_sampler, uv, receiver);
+    float outside = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    float2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
 }
 #endif
 

@@ -3,14 +3,6 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
 
-#ifndef UMBRAGE_HAS_INSIDE_MAP
-#define UMBRAGE_HAS_INSIDE_MAP
-// umbrage_inside_map: whether a texel is one of a map's of size texels
-precise bool umbrage_inside_map(float2 size, float2 texel) {
-    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
-}
-#endif
-
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -19,19 +11,12 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FETCH_CLAMPED
-#define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
-float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
-    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
-}
-#endif
-
 #ifndef UMBRAGE_HAS_FETCH_BORDERED
 #define UMBRAGE_HAS_FETCH_BORDERED
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 float4 umbrage_fetch_bordered(Texture2D<float4> map, float2 size, float2 texel, float4 border) {
-    float4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
+    float2 at = clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float4 value = umbrage_texel(map, size, at);
+    return at.x == texel.x && at.y == texel.y ? value : border;
 }
 #endif

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Render target of msm_hausdorff: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far
 //   plane's depth.
 
@@ -93,6 +94,14 @@ precise bool umbrage_beyond_far_plane(float receiver) {
 precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MAP_COVERS
+#define UMBRAGE_HAS_MAP_COVERS
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+precise bool umbrage_map_covers(float2 size, float2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 #endif
 
@@ -188,7 +197,7 @@ float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 float umbrage_msm_hausdorff(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
     float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
     return compared ? lit : 1.0;

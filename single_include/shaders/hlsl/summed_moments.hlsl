@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -81,6 +82,14 @@ precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_MAP_COVERS
+#define UMBRAGE_HAS_MAP_COVERS
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+precise bool umbrage_map_covers(float2 size, float2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -156,8 +165,8 @@ float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 float umbrage_summed_moments(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
                              float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = float2(size.x * 0.5, size.y) - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float2 texel = compared ? clamp(floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = max(texel - radius, float2(0.0, 0.0));
     float2 end = min(texel + radius + 1.0, last);

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -46,6 +47,14 @@ precise bool umbrage_beyond_far_plane(float receiver) {
 precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MAP_COVERS
+#define UMBRAGE_HAS_MAP_COVERS
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+precise bool umbrage_map_covers(float2 size, float2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 #endif
 
@@ -106,8 +115,8 @@ float4 umbrage_box_moments(Texture2D<float4> map, float2 size, float2 first, flo
 //   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
 float umbrage_summed_variance(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
                               float codes) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = size - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float2 texel = compared ? clamp(floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = max(texel - radius, float2(0.0, 0.0));
     float2 end = min(texel + radius + 1.0, last);

@@ -7,6 +7,7 @@
 // Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -46,14 +47,6 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FETCH_CLAMPED
-#define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
-inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
-    return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
-}
-#endif
-
 #ifndef UMBRAGE_HAS_DECODE
 #define UMBRAGE_HAS_DECODE
 // umbrage_decode: depth of a texel's value
@@ -62,11 +55,29 @@ inline float umbrage_decode(float4 value) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BORDER_DEPTH
+#define UMBRAGE_HAS_BORDER_DEPTH
+// umbrage_border_depth: what texels outside the map count as, the far plane
+inline float umbrage_border_depth() {
+    return umbrage_cleared_depth();
+}
+#endif
+
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
-    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float depth = umbrage_decode(umbrage_texel(map, size, inside));
+    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
 }
 #endif
 

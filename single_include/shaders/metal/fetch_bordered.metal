@@ -7,14 +7,6 @@
 #pragma METAL fp math_mode(safe)
 #pragma METAL fp contract(off)
 
-#ifndef UMBRAGE_HAS_INSIDE_MAP
-#define UMBRAGE_HAS_INSIDE_MAP
-// umbrage_inside_map: whether a texel is one of a map's of size texels
-inline bool umbrage_inside_map(float2 size, float2 texel) {
-    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
-}
-#endif
-
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -23,19 +15,12 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FETCH_CLAMPED
-#define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
-inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
-    return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
-}
-#endif
-
 #ifndef UMBRAGE_HAS_FETCH_BORDERED
 #define UMBRAGE_HAS_FETCH_BORDERED
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 inline float4 umbrage_fetch_bordered(metal::texture2d<float> map, float2 size, float2 texel, float4 border) {
-    float4 value = umbrage_fetch_clamped(map, size, texel);
-    return umbrage_inside_map(size, texel) ? value : border;
+    float2 at = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float4 value = umbrage_texel(map, size, at);
+    return at.x == texel.x && at.y == texel.y ? value : border;
 }
 #endif

@@ -10,9 +10,11 @@
 // Map: `depth2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Map: `depth2d<float> map, sampler map_sampler`, a depth texture. Its sampler passes receiver <= depth, clamps to
 //   the edge and filters linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -92,14 +94,6 @@ inline float4 umbrage_texel_depths(metal::depth2d<float> map, float2 size, float
 }
 #endif
 
-#ifndef UMBRAGE_HAS_FETCH_CLAMPED_DEPTHS
-#define UMBRAGE_HAS_FETCH_CLAMPED_DEPTHS
-// umbrage_fetch_clamped_depths: texel of a map; coordinates outside move to the nearest texel inside
-inline float4 umbrage_fetch_clamped_depths(metal::depth2d<float> map, float2 size, float2 texel) {
-    return umbrage_texel_depths(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
-}
-#endif
-
 #ifndef UMBRAGE_HAS_DECODE_DEPTHS
 #define UMBRAGE_HAS_DECODE_DEPTHS
 // umbrage_decode_depths: depth of a texel's value
@@ -108,11 +102,29 @@ inline float umbrage_decode_depths(float4 value) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH_DEPTHS
+#define UMBRAGE_HAS_CLEARED_DEPTH_DEPTHS
+// umbrage_cleared_depth_depths: depth of the far plane
+inline float umbrage_cleared_depth_depths() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BORDER_DEPTH_DEPTHS
+#define UMBRAGE_HAS_BORDER_DEPTH_DEPTHS
+// umbrage_border_depth_depths: what texels outside the map count as, the far plane
+inline float umbrage_border_depth_depths() {
+    return umbrage_cleared_depth_depths();
+}
+#endif
+
 #ifndef UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
 #define UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
-// umbrage_fetch_depth_depths: stored depth of a texel, outside the map of the nearest one inside
+// umbrage_fetch_depth_depths: stored depth of a texel, outside the map that of the far plane
 inline float umbrage_fetch_depth_depths(metal::depth2d<float> map, float2 size, float2 texel) {
-    return umbrage_decode_depths(umbrage_fetch_clamped_depths(map, size, texel));
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float depth = umbrage_decode_depths(umbrage_texel_depths(map, size, inside));
+    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth_depths();
 }
 #endif
 
@@ -201,13 +213,40 @@ inline bool umbrage_within_far_plane_shadow(float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_COMPARE_SHADOW
+#define UMBRAGE_HAS_COMPARE_SHADOW
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare_shadow(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+#define UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
+// umbrage_cleared_depth_shadow: depth of the far plane
+inline float umbrage_cleared_depth_shadow() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+#define UMBRAGE_HAS_BORDER_DEPTH_SHADOW
+// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
+inline float umbrage_border_depth_shadow() {
+    return umbrage_cleared_depth_shadow();
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 inline float umbrage_lit_at_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 uv,
                                    float receiver) {
-    return map.sample_compare(map_sampler, uv, receiver, metal::level(0.0));
+    float lit = map.sample_compare(map_sampler, uv, receiver, metal::level(0.0));
+    float outside = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    float2 inside = metal::clamp((0.5 - metal::abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
 }
 #endif
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 #include <metal_stdlib>
 #pragma METAL fp math_mode(safe)
@@ -85,6 +86,14 @@ inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_MAP_COVERS
+#define UMBRAGE_HAS_MAP_COVERS
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+inline bool umbrage_map_covers(float2 size, float2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -160,8 +169,8 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 inline float umbrage_summed_moments(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                     float radius, float2 bias) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 last = float2(size.x * 0.5, size.y) - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float2 texel = compared ? metal::clamp(metal::floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
     float2 first = metal::max(texel - radius, float2(0.0, 0.0));
     float2 end = metal::min(texel + radius + 1.0, last);

@@ -4,7 +4,8 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl, cleared_depth.wgsl,
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// Paste along: texel.wgsl, decode.wgsl, cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl, compare.wgsl,
 //   distance_code.wgsl; or paste wgsl_joined/blocker.wgsl alone.
 
 // umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)

@@ -9,8 +9,9 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl; or paste
-//   wgsl_joined/blocker_at.wgsl alone.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// Paste along: texel.wgsl, decode.wgsl, cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl, depth_at.wgsl,
+//   compare.wgsl; or paste wgsl_joined/blocker_at.wgsl alone.
 
 // umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN

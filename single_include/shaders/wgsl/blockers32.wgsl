@@ -4,8 +4,9 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl,
-//   cleared_depth.wgsl, distance_code.wgsl, blocker.wgsl; or paste wgsl_joined/blockers32.wgsl alone.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// Paste along: disc_tap.wgsl, texel.wgsl, decode.wgsl, cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl,
+//   compare.wgsl, distance_code.wgsl, blocker.wgsl; or paste wgsl_joined/blockers32.wgsl alone.
 
 // umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased

@@ -8,8 +8,9 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, texel.wgsl, fetch_clamped.wgsl,
-//   decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl, blocker_at.wgsl; or paste
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, texel.wgsl, decode.wgsl,
+//   cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl, blocker_at.wgsl; or paste
 //   wgsl_joined/blockers_hardware16.wgsl alone.
 
 // umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)

@@ -4,9 +4,10 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Paste along: cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl, cube_neighbor.wgsl, cube_tile.wgsl, compare.wgsl,
-//   texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl; or paste wgsl_joined/cube_lit.wgsl
-//   alone.
+//   texel.wgsl, decode.wgsl, cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl, lit.wgsl; or paste
+//   wgsl_joined/cube_lit.wgsl alone.
 
 // umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
 //   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// Paste along: texel.wgsl, fetch_clamped.wgsl, inside_map.wgsl; or paste wgsl_joined/fetch_bordered.wgsl alone.
+// Paste along: texel.wgsl; or paste wgsl_joined/fetch_bordered.wgsl alone.
 
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 fn umbrage_fetch_bordered(map: texture_2d<f32>, size: vec2f, texel: vec2f, border: vec4f) -> vec4f {
-    let value: vec4f = umbrage_fetch_clamped(map, size, texel);
-    return select(border, value, umbrage_inside_map(size, texel));
+    let at: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let value: vec4f = umbrage_texel(map, size, at);
+    return select(border, value, at.x == texel.x && at.y == texel.y);
 }

@@ -4,8 +4,9 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Paste along: compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl; or paste
-//   wgsl_joined/lit_2x2.wgsl alone.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// Paste along: compare.wgsl, texel.wgsl, decode.wgsl, cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl,
+//   lit.wgsl; or paste wgsl_joined/lit_2x2.wgsl alone.
 
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 fn umbrage_lit_2x2(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {

@@ -4,17 +4,18 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Render target of msm: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far plane's
 //   depth.
-// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, texel.wgsl, fetch_clamped.wgsl,
-//   fetch_bilinear.wgsl, bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, moment_atoms.wgsl,
-//   decode_msm.wgsl; or paste wgsl_joined/msm.wgsl alone.
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, map_covers.wgsl, texel.wgsl,
+//   fetch_clamped.wgsl, fetch_bilinear.wgsl, bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl,
+//   moment_atoms.wgsl, decode_msm.wgsl; or paste wgsl_joined/msm.wgsl alone.
 
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 fn umbrage_msm(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_msm(m, receiver, bias);
     return select(1.0, lit, compared);

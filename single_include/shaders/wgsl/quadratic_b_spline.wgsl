@@ -4,8 +4,9 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
-//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste
+//   decode.wgsl, cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste
 //   wgsl_joined/quadratic_b_spline.wgsl alone.
 
 // umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit

@@ -4,9 +4,10 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, texel.wgsl, box_mean.wgsl,
-//   from_optimized_moments.wgsl, bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, moment_atoms.wgsl,
-//   decode_msm.wgsl; or paste wgsl_joined/summed_moments.wgsl alone.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, map_covers.wgsl, texel.wgsl,
+//   box_mean.wgsl, from_optimized_moments.wgsl, bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl,
+//   moment_atoms.wgsl, decode_msm.wgsl; or paste wgsl_joined/summed_moments.wgsl alone.
 
 // umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
 //   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
@@ -14,8 +15,8 @@
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 fn umbrage_summed_moments(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                           bias: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let last: vec2f = vec2f(size.x * 0.5, size.y) - 1.0;
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(last, coord));
     let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
     let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
     let end: vec2f = min(texel + radius + 1.0, last);

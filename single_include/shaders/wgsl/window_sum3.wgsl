@@ -4,9 +4,10 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
-//   fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste wgsl_joined/window_sum3.wgsl
-//   alone.
+//   decode.wgsl, cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste
+//   wgsl_joined/window_sum3.wgsl alone.
 
 // umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)

@@ -8,6 +8,7 @@
 // Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=
 //   depth, clamps to the edge and filters nearest.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
@@ -33,10 +34,28 @@ fn umbrage_lit_texel_shadow(map: texture_depth_2d, map_sampler: sampler_comparis
     return select(0.0, lit, receiver > 0.0) + select(0.0, lit, receiver <= 0.0);
 }
 
-// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the nearest one inside
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_cleared_depth_shadow: depth of the far plane
+fn umbrage_cleared_depth_shadow() -> f32 {
+    return 1.0;
+}
+
+// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
+fn umbrage_border_depth_shadow() -> f32 {
+    return umbrage_cleared_depth_shadow();
+}
+
+// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the far plane
 fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
                       receiver: f32) -> f32 {
-    return umbrage_lit_texel_shadow(map, map_sampler, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let lit: f32 = umbrage_lit_texel_shadow(map, map_sampler, size, inside, receiver);
+    let outside: f32 = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    return select(outside, lit, inside.x == texel.x && inside.y == texel.y);
 }
 
 // umbrage_lit_2x2_shadow: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Render target of evsm4: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_evsm4 of the far
 //   plane's depth.
 
@@ -61,6 +62,11 @@ fn umbrage_beyond_far_plane(receiver: f32) -> bool {
 fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
+}
+
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
@@ -127,7 +133,7 @@ fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: v
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
 fn umbrage_evsm4(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, exponents: vec2f,
                  deviations: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_evsm4(m, receiver, exponents, deviations);
     return select(1.0, lit, compared);

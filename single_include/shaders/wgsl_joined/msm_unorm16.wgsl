@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Render target of msm_unorm16: RGBA16 UNORM, not sRGB, no blending, one sample. Clear to
 //   umbrage_to_optimized_moments of umbrage_encode_msm of the far plane's depth.
 
@@ -66,6 +67,11 @@ fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
@@ -124,7 +130,7 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
 fn umbrage_msm_unorm16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
     let lit: f32 = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
     return select(1.0, lit, compared);

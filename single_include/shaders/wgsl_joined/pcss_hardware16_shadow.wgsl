@@ -11,9 +11,11 @@
 // Map: `map: texture_depth_2d`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=
 //   depth, clamps to the edge and filters linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
@@ -68,19 +70,26 @@ fn umbrage_texel_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) -> vec
     return vec4f(textureLoad(map, vec2i(texel), 0));
 }
 
-// umbrage_fetch_clamped_depths: texel of a map; coordinates outside move to the nearest texel inside
-fn umbrage_fetch_clamped_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) -> vec4f {
-    return umbrage_texel_depths(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
-}
-
 // umbrage_decode_depths: depth of a texel's value
 fn umbrage_decode_depths(value: vec4f) -> f32 {
     return value.x;
 }
 
-// umbrage_fetch_depth_depths: stored depth of a texel, outside the map of the nearest one inside
+// umbrage_cleared_depth_depths: depth of the far plane
+fn umbrage_cleared_depth_depths() -> f32 {
+    return 1.0;
+}
+
+// umbrage_border_depth_depths: what texels outside the map count as, the far plane
+fn umbrage_border_depth_depths() -> f32 {
+    return umbrage_cleared_depth_depths();
+}
+
+// umbrage_fetch_depth_depths: stored depth of a texel, outside the map that of the far plane
 fn umbrage_fetch_depth_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) -> f32 {
-    return umbrage_decode_depths(umbrage_fetch_clamped_depths(map, size, texel));
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let depth: f32 = umbrage_decode_depths(umbrage_texel_depths(map, size, inside));
+    return select(umbrage_border_depth_depths(), depth, inside.x == texel.x && inside.y == texel.y);
 }
 
 // umbrage_depth_at_depths: stored depth of the texel at a point; on a border it may be the texel beside
@@ -147,11 +156,29 @@ fn umbrage_within_far_plane_shadow(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
 
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_cleared_depth_shadow: depth of the far plane
+fn umbrage_cleared_depth_shadow() -> f32 {
+    return 1.0;
+}
+
+// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
+fn umbrage_border_depth_shadow() -> f32 {
+    return umbrage_cleared_depth_shadow();
+}
+
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, uv: vec2f,
                          receiver: f32) -> f32 {
-    return textureSampleCompareLevel(map, map_sampler, uv, receiver);
+    let lit: f32 = textureSampleCompareLevel(map, map_sampler, uv, receiver);
+    let outside: f32 = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
 }
 
 // umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit

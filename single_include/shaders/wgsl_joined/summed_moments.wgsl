@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
@@ -64,6 +65,11 @@ fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+
 // umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
@@ -122,8 +128,8 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
 //   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
 fn umbrage_summed_moments(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                           bias: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let last: vec2f = vec2f(size.x * 0.5, size.y) - 1.0;
+    let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(last, coord));
     let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
     let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
     let end: vec2f = min(texel + radius + 1.0, last);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <initializer_list>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -40,7 +39,7 @@ inline std::vector<codec> codecs(const std::string& folder) {
     const auto version = [&](const std::string& name) { return name + ' ' + read(folder + '/' + name + ".version"); };
     const std::string three = version("three"), babylon = version("babylon"), playcanvas = version("playcanvas");
     const std::string us = "umbrage";
-    const auto ours = [](std::initializer_list<glsl::snippet> s) { return glsl::text(s); };
+    const auto ours = [](const std::vector<glsl::bound>& items) { return glsl::text(items); };
     return {
         {"RGBA", three, three, peer("three"), "packDepthToRGBA(depth)", "unpackRGBAToDepth(c)"},
         {"RGB", three, three, peer("three"), "vec4(packDepthToRGB(depth), 1.0)", "unpackRGBToDepth(c.xyz)"},

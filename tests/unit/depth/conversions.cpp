@@ -142,7 +142,7 @@ TEST_CASE(
                                             .z_near = -2,
                                             .z_far = 6,
                                             .clip = {.range = depth_range::zero_to_one, .direction = direction}});
-        const glm::dmat4 m = texture_matrix_uv(light);
+        const glm::dmat4 m = texture_matrix(light, {1, 1});
         const bool reversed = direction == depth_direction::reversed;
         const double z_near = reversed ? 6 : -2, z_far = reversed ? -2 : 6;
         for (double z = -2; z <= 6; z += 0.125) {

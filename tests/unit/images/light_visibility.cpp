@@ -187,8 +187,8 @@ TEST_CASE("visibility of a light's maps: bad input") {
         return "";
     };
     CHECK(complaint({48, 32}, {4, 4}, light).empty());
-    CHECK(complaint({48, 48}, {4, 4}, light).starts_with("umbrage::visibility: texels "));
-    CHECK(complaint({48, 32}, {4, 5}, light).starts_with("umbrage::visibility: out "));
+    CHECK(complaint({48, 48}, {4, 4}, light).starts_with("umbrage::visibility: map.texels.size "));
+    CHECK(complaint({48, 32}, {4, 5}, light).starts_with("umbrage::visibility: out.size "));
     CHECK(complaint({48, 32}, {4, 4}, {.position = lamp, .map_size = 16, .border = 8, .clip = forward})
               .starts_with("umbrage::make_point_light: "));
 }

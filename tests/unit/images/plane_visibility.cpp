@@ -2,7 +2,7 @@
 //
 // visibility along receivers' planes over images against the filters called for each receiver, bit by bit.
 #include "../fusing.hpp"
-#include "../simd/blocks/paths.hpp"
+#include "blocks/paths.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -127,7 +127,7 @@ TEST_CASE("visibility along planes: a callable of one's own, a plane that needs 
     const auto center = [](const auto& fetch, glm::vec2 coord, float receiver) {
         return receiver <= fetch(glm::ivec2(coord)) ? 1.0f : 0.0f;
     };
-    const umbrage::filters::pcss soft{.softness = {.per_code = 0.5f, .least = 16, .widest = 96}};
+    const umbrage::filters::pcss soft{.softness = {.per_code = 0.5f, .min_radius = 16, .max_radius = 96}};
     const auto dark = [&](const auto& filter) {
         umbrage::visibility(map, umbrage::depth32f{}, of.all(), filter, out);
         return std::ranges::count_if(out.texels(), [](float v) { return v < 1; });

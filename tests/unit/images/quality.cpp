@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include <common/quality.hpp>
+
 #include <umbrage/images/quality.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
@@ -73,62 +75,19 @@ TEST_CASE("pixels_per_texel: finite differences over the plane, directional and 
     CHECK(some > 100);
 }
 
-TEST_CASE("pixels_per_texel: a surface parallel to the light is not finite, and is counted") {
+TEST_CASE("pixels_per_texel: not finite where a surface is parallel to the light") {
     const glm::dmat4 texels =
         texture_matrix(fit_directional_light<double>(
                            {.direction = {0, -1, 0}, .receivers = bounding_box<double>{}, .clip = cpu_clip_space}),
                        map_size);
-    const auto report = measure_quality({.screen = {2, 2}, .map_size = map_size}, [&](glm::ivec2 pixel) {
-        if (pixel == glm::ivec2(0)) return glm::dmat2(0);
-        const glm::dvec3 normal = pixel.x ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-        return pixels_per_texel(texels, reference.to_pixels, {0, 0, -5}, normal);
-    });
-    CHECK(report.measured == 2);
-    CHECK(report.skipped == 1);
-}
-
-TEST_CASE("measure_quality: mean, percentile, greatest and the image, by hand") {
-    image<float> extents({10, 10});
-    const auto report = measure_quality(
-        {.screen = {10, 10}, .map_size = {32, 64}, .maps = 3},
-        [](glm::ivec2 p) {
-            const auto value = static_cast<float>(p.x + 10 * p.y);  // 0: nothing to see
-            return glm::mat2(value, 0, 0, value / 2);
-        },
-        extents.view());
-    CHECK(report.measured == 99);
-    CHECK(report.skipped == 0);
-    CHECK(report.mean == doctest::Approx(50));
-    CHECK(report.p95 == 94);
-    CHECK(report.greatest == 99);
-    CHECK(report.storage_factor == doctest::Approx(3 * (32 * 99.0) * (64 * 49.5) / 100));
-    CHECK(extents[{0, 0}] == 0);
-    CHECK(extents[{3, 2}] == 23);
-    const auto nothing =
-        measure_quality({.screen = {3, 3}, .map_size = {8, 8}}, [](glm::ivec2) { return glm::mat2(0); });
-    CHECK(nothing.measured == 0);
-    CHECK(nothing.greatest == 0);
-}
-
-TEST_CASE("measure_quality: bad input") {
-    const auto with = [](const measured_view& view, image_view<float> extents = {}) {
-        return complaint([&] {
-            (void)measure_quality(
-                view, [](glm::ivec2) { return glm::mat2(1); }, extents);
-        });
+    const auto extent = [&](glm::dvec3 normal) {
+        return longest_extent(pixels_per_texel(texels, reference.to_pixels, {0, 0, -5}, normal));
     };
-    const std::string name = "umbrage::measure_quality: ";
-    image<float> small({2, 2});
-    CHECK(with({.screen = {2, 2}}, small.view()).empty());
-    CHECK(with({.screen = {7, 6}, .step = 4}, small.view()).empty());
-    CHECK(with({.screen = {0, 2}}).starts_with(name + "screen "));
-    CHECK(with({.map_size = {1, 0}}).starts_with(name + "map_size "));
-    CHECK(with({.maps = 0}).starts_with(name + "maps "));
-    CHECK(with({.step = 0}).starts_with(name + "step "));
-    CHECK(with({.screen = {2, 3}}, small.view()).starts_with(name + "extents.size "));
+    CHECK(is_finite(extent({0, 1, 0})));
+    CHECK_FALSE(is_finite(extent({1, 0, 0})));
 }
 
-TEST_CASE("measure_quality: one map around what a camera sees of a long ground, for suns all around") {
+TEST_CASE("pixels_per_texel: one map around what a camera sees of a long ground, for suns all around") {
     struct row {
         double elevation, azimuth, p95, greatest;
     };
@@ -143,7 +102,7 @@ TEST_CASE("measure_quality: one map around what a camera sees of a long ground, 
                                                           .casters = reference_scene,
                                                           .margin = 0,
                                                           .clip = cpu_clip_space});
-        const quality_report report = on_ground({texture_matrix(light, map_size)});
+        const example::quality_report report = on_ground({texture_matrix(light, map_size)});
         CHECK(report.p95 == doctest::Approx(r.p95).epsilon(0.01));
         CHECK(report.greatest == doctest::Approx(r.greatest).epsilon(0.01));
         if (r.elevation < 90) continue;
@@ -152,7 +111,7 @@ TEST_CASE("measure_quality: one map around what a camera sees of a long ground, 
     }
 }
 
-TEST_CASE("measure_quality: four spheres and four tight cascades over the same ground and suns") {
+TEST_CASE("pixels_per_texel: four spheres and four tight cascades over the same ground and suns") {
     struct row {
         double elevation, azimuth, sphere_p95, sphere_greatest, tight_p95, tight_greatest;
     };
@@ -175,9 +134,9 @@ TEST_CASE("measure_quality: four spheres and four tight cascades over the same g
             for (const auto& c : cascades) to_texels.push_back(texture_matrix(c.light, {1024, 1024}));
             return on_ground(to_texels, {1024, 1024}, {splits[1], splits[2], splits[3]});
         };
-        const quality_report sphere = over(make_stable_cascades<4>(fit, splits));
+        const example::quality_report sphere = over(make_stable_cascades<4>(fit, splits));
         fit.up = reference.seen.direction;
-        const quality_report tight = over(make_tight_cascades<4>(fit, splits));
+        const example::quality_report tight = over(make_tight_cascades<4>(fit, splits));
         CHECK(sphere.p95 == doctest::Approx(r.sphere_p95).epsilon(0.01));
         CHECK(sphere.greatest == doctest::Approx(r.sphere_greatest).epsilon(0.01));
         CHECK(tight.p95 == doctest::Approx(r.tight_p95).epsilon(0.01));
@@ -191,7 +150,7 @@ TEST_CASE("measure_quality: four spheres and four tight cascades over the same g
 }
 
 TEST_CASE(
-    "measure_quality: overhead light and bare frusta need the storage that theory says, in one map and in parts") {
+    "pixels_per_texel: overhead light and bare frusta need the storage that theory says, in one map and in parts") {
     // of surfaces halfway between light and camera, on its axis: parts ratio (ratio - 1) / (2 tangent), ratio from
     // each part's near plane to its far plane
     struct row {
@@ -217,7 +176,7 @@ TEST_CASE(
         }
         const glm::dmat4 pixels = view(whole).to_pixels;
         const auto report =
-            measure_quality({.screen = screen, .map_size = map_size, .maps = r.parts}, [&](glm::ivec2 p) {
+            example::measure_quality({.screen = screen, .map_size = map_size, .maps = r.parts}, [&](glm::ivec2 p) {
                 if (p.y != 0) return glm::dmat2(0);
                 const double at = r.parts * p.x / 1279.0;
                 const auto part = static_cast<std::size_t>(std::min(at, r.parts - 1.0));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The oracle adds up the rectangle texel by texel; for floats, in the order that the docstring gives.
+#include "blocks/paths.hpp"
+
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -16,23 +18,9 @@
 
 namespace {
 
+using paths::gapped;
 using umbrage::image;
 using umbrage::image_view;
-
-/// Rows with a gap behind each, which nobody may touch.
-template <class T>
-struct gapped {
-    glm::ivec2 size;
-    std::vector<T> memory;
-    explicit gapped(glm::ivec2 s) : size(s), memory(static_cast<std::size_t>((s.x + 5) * s.y), T(7)) {}
-    image_view<T> view() { return {memory.data(), size, (size.x + 5) * static_cast<std::ptrdiff_t>(sizeof(T))}; }
-    [[nodiscard]] bool gaps_untouched() const {
-        for (int y = 0; y < size.y; ++y)
-            for (int x = size.x; x < size.x + 5; ++x)
-                if (memory[static_cast<std::size_t>(y * (size.x + 5) + x)] != T(7)) return false;
-        return true;
-    }
-};
 
 template <class Use>
 void for_each_isa(Use&& use) {

@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include <common/quality.hpp>
+
 #include <umbrage/images/quality.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/cascades/select.hpp>
@@ -74,10 +76,10 @@ inline std::optional<glm::dvec3> ground_at(const view& v, glm::dvec2 pixel) {
 }
 
 /// @param to_texels   the map's, or the cascades', which meet at ends
-inline quality_report on_ground(const std::vector<glm::dmat4>& to_texels, glm::ivec2 size = map_size,
-                                glm::dvec3 ends = {}) {
-    const measured_view view{.screen = screen, .map_size = size, .maps = int(to_texels.size()), .step = 4};
-    return measure_quality(view, [&](glm::ivec2 i) {
+inline example::quality_report on_ground(const std::vector<glm::dmat4>& to_texels, glm::ivec2 size = map_size,
+                                         glm::dvec3 ends = {}) {
+    const example::measured_view view{.screen = screen, .map_size = size, .maps = int(to_texels.size()), .step = 4};
+    return example::measure_quality(view, [&](glm::ivec2 i) {
         const std::optional<glm::dvec3> p = ground_at(reference, glm::dvec2(i) + 0.5);
         if (!p) return glm::dmat2(0);
         const double number = to_texels.size() > 1 ? cascade_by_depth(-p->z, ends) : 0;

@@ -80,7 +80,7 @@ TEST_CASE("make_spot_light: the cone's edge touches the map's edges and never le
         CAPTURE(to_string(clip));
         const auto light = tilted(clip);
         const auto space = make_spot_light(light);
-        const glm::dmat4 uv = texture_matrix_uv(space);
+        const glm::dmat4 uv = texture_matrix(space, {1, 1});
         const glm::dmat4 back = glm::inverse(space.view);
         const double front = clip.hand == handedness::right ? -1 : 1;
         glm::dvec2 low(2), high(-1);

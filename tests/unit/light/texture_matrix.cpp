@@ -49,16 +49,16 @@ TEST_CASE("texture_matrix: NDC to texels and depth by hand") {
     }
 }
 
-TEST_CASE("texture_matrix_uv: texture_matrix over the map's size") {
+TEST_CASE("texture_matrix: to normalized coordinates, times the size it gives that of any map") {
     std::mt19937 random(6);
     for (clip_space clip : all_clip_spaces())
         for (int i = 0; i < 20; ++i) {
             const auto light = random_light(random, i, clip);
-            const glm::mat4 uv = texture_matrix_uv(light);
+            const glm::mat4 uv = texture_matrix(light, {1, 1});
             // a power of two changes no digits, any other size rounds
             const glm::mat4 power = texture_matrix(light, {1024, 512}), any = texture_matrix(light, {1000, 37});
             const light_space<double> exact{glm::dmat4(light.view), glm::dmat4(light.projection), clip};
-            const glm::dmat4 exact_uv = texture_matrix_uv(exact), exact_any = texture_matrix(exact, {1000, 37});
+            const glm::dmat4 exact_uv = texture_matrix(exact, {1, 1}), exact_any = texture_matrix(exact, {1000, 37});
             for (int c = 0; c < 4; ++c) {
                 CHECK(power[c] == uv[c] * glm::vec4(1024, 512, 1, 1));
                 CHECK(glm::length(glm::dvec4(any[c]) - exact_any[c]) <= 1e-6 * (1000 + glm::length(exact_any[c])));
@@ -85,7 +85,7 @@ TEST_CASE("texture_matrix, tap_matrices: finite, or an error that names the argu
     CHECK(complaint([&] { (void)texture_matrix(light, {0, 1024}); }).starts_with("umbrage::texture_matrix: map_size "));
     light_space<float> broken{.clip = cpu_clip_space};
     broken.view[3][0] = std::numeric_limits<float>::quiet_NaN();
-    CHECK(complaint([&] { (void)texture_matrix_uv(broken); }).starts_with("umbrage::texture_matrix: light "));
+    CHECK(complaint([&] { (void)texture_matrix(broken, {1, 1}); }).starts_with("umbrage::texture_matrix: light "));
 
     glm::mat4 m(1);
     m[3][0] = m[3][3] = 3e38f;

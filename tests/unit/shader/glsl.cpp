@@ -141,11 +141,11 @@ TEST_CASE("text: what is needed comes before, each once") {
 }
 
 TEST_CASE("source: #version first, then the preamble on lines of its own, then the snippets") {
-    CHECK(source(version::v100, {leaf}) == "#version 100\n" + text(version::v100, {leaf}));
+    CHECK(source(version::v100, {leaf}) == "#version 100\n" + text({leaf}, version::v100));
     CHECK(source(version::v300_es, {leaf}, "precision highp float;") ==
-          "#version 300 es\nprecision highp float;\n" + text(version::v300_es, {leaf}));
+          "#version 300 es\nprecision highp float;\n" + text({leaf}, version::v300_es));
     CHECK(source(version::vulkan, {leaf}, "#define A\n") ==
-          "#version 450\n#define A\n" + text(version::vulkan, {leaf}));
+          "#version 450\n#define A\n" + text({leaf}, version::vulkan));
     std::set<std::string_view> directives;
     for (version v : versions) directives.insert(directive(v));
     CHECK(directives.size() == versions.size() - 1);  // Vulkan's is that of 450

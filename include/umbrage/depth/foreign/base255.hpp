@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 
 #include <glm/fwd.hpp>
 #include <glm/vec4.hpp>
@@ -123,8 +124,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 struct base255 {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "base255";
-    static constexpr literal summary =
+    static constexpr std::string_view name = "base255";
+    static constexpr std::string_view summary =
         "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
     static constexpr const glsl::snippet* writer = &glsl::write_base255;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
@@ -150,8 +151,8 @@ struct base255 {
 struct base255_repaired {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "base255_repaired";
-    static constexpr literal summary = "For readers of base 255, written without the fault.";
+    static constexpr std::string_view name = "base255_repaired";
+    static constexpr std::string_view summary = "For readers of base 255, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_base255_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
     static constexpr store_format writes = store_format::integers;

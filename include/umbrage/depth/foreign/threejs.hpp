@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 
 #include <glm/fwd.hpp>
 #include <glm/vec2.hpp>
@@ -203,8 +204,8 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
 struct threejs_rgba {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_rgba";
-    static constexpr literal summary = "RGBA of three.js since r167: three whole bytes and the rest.";
+    static constexpr std::string_view name = "threejs_rgba";
+    static constexpr std::string_view summary = "RGBA of three.js since r167: three whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
     static constexpr store_format writes = store_format::values;
@@ -227,8 +228,8 @@ struct threejs_rgba {
 struct threejs_rgb {
     using target = unorm_target<8, 3>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_rgb";
-    static constexpr literal summary = "RGB of three.js since r167: two whole bytes and the rest.";
+    static constexpr std::string_view name = "threejs_rgb";
+    static constexpr std::string_view summary = "RGB of three.js since r167: two whole bytes and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
     static constexpr store_format writes = store_format::values;
@@ -251,8 +252,8 @@ struct threejs_rgb {
 struct threejs_rg {
     using target = unorm_target<8, 2>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_rg";
-    static constexpr literal summary = "RG of three.js since r167: one whole byte and the rest.";
+    static constexpr std::string_view name = "threejs_rg";
+    static constexpr std::string_view summary = "RG of three.js since r167: one whole byte and the rest.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
     static constexpr store_format writes = store_format::values;

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 
 #include <glm/fwd.hpp>
 #include <glm/vec4.hpp>
@@ -123,8 +124,9 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
 struct threejs_legacy {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_legacy";
-    static constexpr literal summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
+    static constexpr std::string_view name = "threejs_legacy";
+    static constexpr std::string_view summary =
+        "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
     static constexpr store_format writes = store_format::values;
@@ -146,8 +148,8 @@ struct threejs_legacy {
 struct threejs_legacy_repaired {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
-    static constexpr literal name = "threejs_legacy_repaired";
-    static constexpr literal summary = "For readers of three.js r73 to r166, written without the fault.";
+    static constexpr std::string_view name = "threejs_legacy_repaired";
+    static constexpr std::string_view summary = "For readers of three.js r73 to r166, written without the fault.";
     static constexpr const glsl::snippet* writer = &glsl::encode_threejs_legacy_repaired;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
     static constexpr store_format writes = store_format::integers;

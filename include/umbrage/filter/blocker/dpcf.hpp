@@ -10,8 +10,9 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
-#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
 
@@ -130,7 +131,7 @@ struct dpcf {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
     comparison is_lit{};
-    literal name = "dpcf16";
+    std::string_view name = "dpcf16";
     const glsl::snippet* snippet = &glsl::dpcf<16>;
 
     static const std::array<dpcf, 3> values;

@@ -9,13 +9,14 @@
 //
 // A disc as wide as the light, seen from the receiver, is searched for blockers; their mean distance gives the
 // penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, rotation and
-// bias: one that is acne-free for the widest radius is so for all. But it is too large for most receivers: under eaves, whose
-// casters are nearer to the wall than the bias, only some turns of the disc find a blocker, and the shadow falls into
-// stripes. Compared along its plane (receiver_plane.hpp) a receiver needs no bias for any radius.
+// bias: one that is acne-free for the widest radius is so for all. But it is too large for most receivers. Under eaves,
+// whose casters are nearer to the wall than the bias, only some rotations of the disc find a blocker, and the shadow
+// falls into stripes. Compared along its plane (receiver_plane.hpp) a receiver needs no bias for any radius.
 #pragma once
 
 #include <array>
 #include <string>
+#include <string_view>
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -96,7 +97,7 @@ struct pcss {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
     comparison is_lit{};
-    literal name = "pcss16";
+    std::string_view name = "pcss16";
     const glsl::snippet* snippet = &glsl::pcss<16>;
 
     static const std::array<pcss, 3> values;

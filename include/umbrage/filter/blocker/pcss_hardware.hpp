@@ -21,7 +21,7 @@
 
 #include <string>
 
-#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>
 

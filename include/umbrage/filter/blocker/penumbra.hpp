@@ -21,9 +21,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/floor_divide.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/light/light_space.hpp>

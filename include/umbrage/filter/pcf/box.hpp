@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -137,7 +138,7 @@ namespace filters {
 
 /// The filter as a value.
 struct box {
-    static constexpr literal name = "box";
+    static constexpr std::string_view name = "box";
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< clamped to 0..8
@@ -156,7 +157,7 @@ struct box {
 /// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
 /// Pays off for large radii, and where shadows have more inside than border.
 struct hierarchical_box {
-    static constexpr literal name = "hierarchical_box";
+    static constexpr std::string_view name = "hierarchical_box";
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< clamped to 0..8

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -248,7 +249,7 @@ struct rotated_disc {
     int points = 16;  ///< 8, 16 or 32
     float radius_texels = 2.0f;
     comparison is_lit{};
-    literal name = "disc16";
+    std::string_view name = "disc16";
     const glsl::snippet* snippet = &glsl::disc<16>;
 
     static const std::array<rotated_disc, 3> values;

@@ -11,7 +11,7 @@
 
 #include <string>
 
-#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -69,7 +70,7 @@ namespace filters {
 
 /// The filter as a value.
 struct four_tap {
-    static constexpr literal name = "four_tap";
+    static constexpr std::string_view name = "four_tap";
     static constexpr const glsl::snippet* snippet = &glsl::four_tap;
 
     std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -53,7 +54,7 @@ namespace filters {
 
 /// The filter as a value.
 struct hard {
-    static constexpr literal name = "hard";
+    static constexpr std::string_view name = "hard";
     static constexpr const glsl::snippet* snippet = &glsl::hard;
 
     comparison is_lit{};

@@ -8,6 +8,8 @@
 // DirectX SDK sample's form in plain floats.
 #pragma once
 
+#include <string_view>
+
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
 
@@ -125,7 +127,7 @@ namespace filters {
 
 /// The filter as a value.
 struct pcf_2x2 {
-    static constexpr literal name = "pcf_2x2";
+    static constexpr std::string_view name = "pcf_2x2";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
 
     comparison is_lit{};
@@ -140,7 +142,7 @@ struct pcf_2x2 {
 
 /// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
 struct pcf_2x2_dx_sdk {
-    static constexpr literal name = "pcf_2x2_dx_sdk";
+    static constexpr std::string_view name = "pcf_2x2_dx_sdk";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
 
     float epsilon = 0.0f;  ///< in depth

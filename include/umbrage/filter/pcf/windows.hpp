@@ -212,7 +212,7 @@ namespace filters {
 struct window {
     window_row row = tent_row<3>;
     comparison is_lit{};
-    literal name = "window";
+    std::string_view name = "window";
     const glsl::snippet* snippet = nullptr;  ///< of the same result; none for rows of one's own
 
     static const std::array<window, 9> values;  ///< the library's

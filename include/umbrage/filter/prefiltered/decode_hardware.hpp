@@ -13,7 +13,7 @@
 
 #include <glm/common.hpp>
 
-#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/filter/prefiltered/evsm.hpp>
 #include <umbrage/filter/prefiltered/vsm.hpp>
 

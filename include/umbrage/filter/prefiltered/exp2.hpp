@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 

@@ -9,6 +9,8 @@
 //
 #pragma once
 
+#include <string_view>
+
 #include <umbrage/core/list.hpp>
 #include <umbrage/filter/prefiltered/look_up.hpp>
 
@@ -17,7 +19,7 @@ namespace umbrage::prefilters {
 /// Depth and its square: two floats of 32 bits. Light bleeds through behind casters that lie behind each other.
 struct vsm {
     using texel = glm::vec2;
-    static constexpr literal name = "vsm";
+    static constexpr std::string_view name = "vsm";
     static constexpr const glsl::snippet *writer = &glsl::encode_vsm, *snippet = &glsl::vsm;
 
     float min_variance = 1e-6f;
@@ -32,7 +34,7 @@ struct vsm {
 /// One power of depth. Light bleeds through where a lit surface lies behind the receiver in the same window.
 struct esm {
     using texel = float;
-    static constexpr literal name = "esm";
+    static constexpr std::string_view name = "esm";
     static constexpr const glsl::snippet *writer = &glsl::encode_esm, *snippet = &glsl::esm;
 
     esm_settings settings{};
@@ -49,7 +51,7 @@ struct esm {
 /// A power of depth and its square.
 struct evsm2 {
     using texel = glm::vec2;
-    static constexpr literal name = "evsm2";
+    static constexpr std::string_view name = "evsm2";
     static constexpr const glsl::snippet *writer = &glsl::encode_evsm2, *snippet = &glsl::evsm2;
 
     evsm_parameters parameters = make_evsm({});
@@ -66,7 +68,7 @@ struct evsm2 {
 /// A growing and a falling power, and their squares: the least light of those with moments of two depths.
 struct evsm4 {
     using texel = glm::vec4;
-    static constexpr literal name = "evsm4";
+    static constexpr std::string_view name = "evsm4";
     static constexpr const glsl::snippet *writer = &glsl::encode_evsm4, *snippet = &glsl::evsm4;
 
     evsm_parameters parameters = make_evsm({});
@@ -83,7 +85,7 @@ struct evsm4 {
 /// Four moments in floats of 32 bits.
 struct msm {
     using texel = glm::vec4;
-    static constexpr literal name = "msm";
+    static constexpr std::string_view name = "msm";
     static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm;
 
     glm::vec2 bias = msm_bias_32;
@@ -99,7 +101,7 @@ struct msm {
 /// Four moments for channels of 16 bits.
 struct msm_unorm16 {
     using texel = glm::vec4;
-    static constexpr literal name = "msm_unorm16";
+    static constexpr std::string_view name = "msm_unorm16";
     static constexpr const glsl::snippet *writer = &glsl::to_optimized_moments, *snippet = &glsl::msm_unorm16;
 
     glm::vec2 bias = msm_bias_16;
@@ -119,7 +121,7 @@ struct msm_unorm16 {
 /// Four moments in floats of 32 bits, of depths known to lie in [0, 1].
 struct msm_hausdorff {
     using texel = glm::vec4;
-    static constexpr literal name = "msm_hausdorff";
+    static constexpr std::string_view name = "msm_hausdorff";
     static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm_hausdorff;
 
     glm::vec2 bias = msm_bias_32;

@@ -14,7 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/core/algorithm.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/prefiltered/msm.hpp>
 

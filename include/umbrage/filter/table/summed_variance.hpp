@@ -15,8 +15,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/floor_divide.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/texel_space.hpp>
 
 namespace umbrage {

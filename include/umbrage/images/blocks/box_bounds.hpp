@@ -9,7 +9,6 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/bits.hpp>
@@ -78,9 +77,10 @@ private:
             }
         }
         for (int p = 0; p < 2; ++p) {
-            std::int32_t *const first = planes[p] + (cells - 1), *const end = first + squares.x;
-            fill(planes[p], std::size_t(cells - 1), *first);
-            fill(end, std::size_t(bounds.view.size.x - squares.x), end[-1]);
+            std::int32_t* const row = planes[p];
+            const int first = cells - 1, end = first + squares.x;
+            for (int x = 0; x < first; ++x) row[x] = row[first];
+            for (int x = end; x < first + bounds.view.size.x; ++x) row[x] = row[end - 1];
         }
     }
 

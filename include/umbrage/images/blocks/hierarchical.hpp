@@ -13,6 +13,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/images/blocks/box.hpp>
 #include <umbrage/images/blocks/box_bounds.hpp>
 #include <umbrage/images/blocks/disc.hpp>

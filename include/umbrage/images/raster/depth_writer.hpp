@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/images/raster/depth_rounding.hpp>
 #include <umbrage/images/raster/small_triangles.hpp>

@@ -15,8 +15,8 @@
 #include <bit>
 #include <cstdint>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/images/raster/triangles.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/strict_math.hpp>

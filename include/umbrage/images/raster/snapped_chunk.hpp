@@ -16,8 +16,8 @@
 
 #include <glm/vec3.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/raster/projection.hpp>

@@ -18,8 +18,8 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/raster/projection.hpp>
 #include <umbrage/simd/bits.hpp>
@@ -87,7 +87,6 @@ public:
     /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. With n the bounds' larger side in
     ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
     ///             within 2^-48 n m of the plane through the snapped vertices
-    template <class = on_use>
     void set_up(const texel_bounds& bounds, cull_mode cull) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
             set_up_bounds(bounds);

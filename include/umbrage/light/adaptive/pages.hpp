@@ -11,6 +11,7 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <compare>
 #include <cstddef>
@@ -20,9 +21,9 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/light_space.hpp>
@@ -68,11 +69,8 @@ inline void add(const page& p, std::vector<page>& pages) {
 /// Each once, coarse ones first.
 template <class = on_use>
 void tidy(std::vector<page>& pages) {
-    sort(pages, [](const page& a, const page& b) { return a < b; });
-    std::size_t kept = 0;
-    for (const page& p : pages)
-        if (kept == 0 || p != pages[kept - 1]) pages[kept++] = p;
-    pages.resize(kept);
+    std::sort(pages.begin(), pages.end());
+    pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
 }
 
 }  // namespace detail
@@ -167,7 +165,7 @@ public:
             resident_.push_back({p, free_.back(), now_});
             free_.pop_back();
         }
-        detail::sort(resident_, [](const held& a, const held& b) { return a.page < b.page; });
+        std::sort(resident_.begin(), resident_.end(), [](const held& a, const held& b) { return a.page < b.page; });
         result.target = target_;
         result.given_up = given_up.size();
         if (target_ > budget_.target && !given_up.empty()) result.forced = popped(receivers, given_up);
@@ -213,8 +211,9 @@ private:
     /// nullptr: the page is not there.
     template <class = detail::on_use>
     [[nodiscard]] const held* find(const page& p) const {
-        const std::size_t at = detail::count_in_front(resident_, [&](const held& h) { return h.page < p; });
-        return at < resident_.size() && resident_[at].page == p ? &resident_[at] : nullptr;
+        const auto at = std::lower_bound(resident_.begin(), resident_.end(), p,
+                                         [](const held& h, const page& sought) { return h.page < sought; });
+        return at != resident_.end() && at->page == p ? &*at : nullptr;
     }
 
     /// The root and what is wanted besides, with the target moved until it fits.
@@ -244,7 +243,7 @@ private:
     std::vector<page> give_up(std::size_t count) {
         std::vector<page> pages;
         if (count == 0) return pages;
-        detail::sort(resident_, [](const held& a, const held& b) {
+        std::sort(resident_.begin(), resident_.end(), [](const held& a, const held& b) {
             return a.needed != b.needed ? a.needed > b.needed : a.page < b.page;
         });
         for (std::size_t i = 0; i < count; ++i) {
@@ -267,8 +266,7 @@ private:
             if (found >= asked) continue;
             for (int level = budget_.deepest_level; level > found; --level) {
                 const page p = page_at(glm::dvec2(r.coord), level);
-                const std::size_t at = detail::count_in_front(given_up, [&](const page& other) { return other < p; });
-                if (at == given_up.size() || given_up[at] != p) continue;
+                if (!std::binary_search(given_up.begin(), given_up.end(), p)) continue;
                 detail::add(p, pops);
                 break;
             }

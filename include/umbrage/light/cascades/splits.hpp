@@ -17,11 +17,12 @@
 
 namespace umbrage {
 
-/// Between even splits and those by which distances grow by one factor.
+/// Between uniform splits and logarithmic ones, which grow by one factor: with these a texel covers as many pixels in
+/// every cascade.
 ///
 /// @tparam Count           cascades
 /// @param z_near, z_far    distances along the camera's axis, 0 < z_near < z_far
-/// @param lambda           0 even, 1 by one factor
+/// @param lambda           0 uniform, 1 logarithmic
 /// @return                 Count + 1 distances, strictly ascending; the first and the last are z_near and z_far
 /// @throws std::invalid_argument  anything else, and a range too short to be cut
 /// @formula                lambda n (f / n)^(i / Count) + (1 - lambda) (n + (f - n) i / Count)
@@ -46,27 +47,6 @@ template <std::size_t Count, real T>
         detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "farther apart",
                         glm::vec<2, T>(z_near, z_far));
     return splits;
-}
-
-/// Even splits.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<T, Count + 1> uniform_splits(T z_near, T z_far) {
-    return practical_splits<Count>(z_near, z_far, T(0));
-}
-
-/// Splits that grow by one factor, so that a texel covers as many pixels in every cascade.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<T, Count + 1> logarithmic_splits(T z_near, T z_far) {
-    return practical_splits<Count>(z_near, z_far, T(1));
-}
-
-/// Splits as shares of the range, which some engines take.
-/// @return   (split - n) / (f - n): 0 .. 1
-template <real T, std::size_t Size>
-[[nodiscard]] std::array<T, Size> split_shares(const std::array<T, Size>& splits) {
-    std::array<T, Size> shares;
-    for (std::size_t i = 0; i < Size; ++i) shares[i] = (splits[i] - splits.front()) / (splits.back() - splits.front());
-    return shares;
 }
 
 }  // namespace umbrage

@@ -28,9 +28,9 @@
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/light_position.hpp>

@@ -22,9 +22,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>

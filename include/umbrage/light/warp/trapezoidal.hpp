@@ -12,8 +12,8 @@
 
 #include <glm/common.hpp>
 
-#include <umbrage/core/algorithm.hpp>
 #include <umbrage/core/check.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 

@@ -12,7 +12,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/literal.hpp>
 
 namespace umbrage::glsl::detail {
 
@@ -31,11 +30,11 @@ struct token {
 
 /// The longest sign that `text` begins with; empty where it begins with none.
 [[nodiscard]] inline std::string_view sign_at(std::string_view text) {
-    static constexpr literal two[]{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
-                                   "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
+    static constexpr std::string_view two[]{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
+                                            "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
     for (std::string_view sign : two)
         if (text.starts_with(sign)) return text.substr(0, 2);
-    static constexpr literal one = "+-*/%<>=!&|^~?:;,.()[]{}";
+    static constexpr std::string_view one = "+-*/%<>=!&|^~?:;,.()[]{}";
     return one.find(text.front()) == one.npos ? std::string_view() : text.substr(0, 1);
 }
 

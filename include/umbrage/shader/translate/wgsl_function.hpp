@@ -131,7 +131,7 @@ private:
 
     /// Whether the function's body writes to what has that name.
     [[nodiscard]] bool is_assigned(std::string_view name) const {
-        static constexpr literal signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
+        static constexpr std::string_view signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
         const std::size_t end = glsl::detail::closing(all_, body_, "wgsl");
         for (std::size_t i = body_ + 1; i < end; ++i) {
             if (!(all_[i] == name) || glsl::detail::is_type(all_[i - 1].text)) continue;

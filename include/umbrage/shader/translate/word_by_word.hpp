@@ -18,14 +18,14 @@ namespace umbrage::glsl::detail {
 
 /// Where such a language differs.
 struct near_language {
-    literal name;
-    literal word::*own;
-    literal precise;               ///< for UMBRAGE_PRECISE; empty: nothing
-    literal function;              ///< before each function's type,
-    literal condition;             ///< and before that of one that tells true from false
+    std::string_view name;
+    std::string_view word::*own;
+    std::string_view precise;      ///< for UMBRAGE_PRECISE; empty: nothing
+    std::string_view function;     ///< before each function's type,
+    std::string_view condition;    ///< and before that of one that tells true from false
     bool matrices_have_rows;       ///< m[i] is a row of m, its constructor takes rows
     bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
-    literal reserved;              ///< what GLSL may call a variable, and this language may not: " a b "
+    std::string_view reserved;     ///< what GLSL may call a variable, and this language may not: " a b "
 };
 
 /// Prints functions in a near language.
@@ -159,10 +159,10 @@ private:
     }
     /// A word that a map fills in.
     [[nodiscard]] static bool is_of_a_map(std::string_view word) {
-        static constexpr literal all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
-                                       "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
-                                       "UMBRAGE_ORIGIN",     "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",
-                                       "UMBRAGE_UV"};
+        static constexpr std::string_view all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
+                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
+                                                "UMBRAGE_ORIGIN",     "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",
+                                                "UMBRAGE_UV"};
         for (std::string_view w : all)
             if (word == w) return true;
         return false;

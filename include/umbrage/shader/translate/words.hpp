@@ -10,7 +10,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/literal.hpp>
 
 namespace umbrage::glsl::detail {
 
@@ -18,7 +17,7 @@ enum class word_kind { type, function, keyword };
 
 struct word {
     word_kind kind;
-    literal glsl, hlsl, msl, wgsl;
+    std::string_view glsl, hlsl, msl, wgsl;
 };
 
 // clang-format off

@@ -76,7 +76,7 @@ TEST_CASE("summed_moments: decode_msm of the box's mean, and no darker than its 
             const int radius = static_cast<int>(random() % 17);
             const float receiver = static_cast<float>(random() % 4097) / 4096.0f;
             const float seen = summed_moments(texels_of(table), table.size(), coord, receiver,
-                                              static_cast<float>(radius), of.bias, far);
+                                              static_cast<float>(radius), of.bias, far, umbrage::outside_map::clamped);
             const glm::ivec2 middle = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map.size() - 1);
             const glm::ivec2 first = glm::max(middle - radius, glm::ivec2(0));
             const glm::ivec2 end = glm::min(middle + radius + 1, map.size());

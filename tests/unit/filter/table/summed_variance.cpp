@@ -75,7 +75,7 @@ void check(const variance_table& of, glm::ivec2 size) {
         const float receiver = static_cast<float>(random() % 8193) / 8192.0f;
         const double t = double(codes) * (forward ? double(receiver) : 1.0 - double(receiver));
         const float seen = summed_variance([&](glm::ivec2 at) { return glm::vec4(table[at]); }, size, coord, receiver,
-                                           static_cast<float>(radius), codes, of.is_lit);
+                                           static_cast<float>(radius), codes, of.is_lit, umbrage::outside_map::clamped);
         worst = std::max(worst, std::abs(double(seen) - chebyshev(b, t)));
         int lit = 0;
         for (int v = b.first.y; v < b.end.y; ++v)

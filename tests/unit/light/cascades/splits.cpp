@@ -13,8 +13,8 @@ using namespace umbrage;
 using doctest::Approx;
 
 TEST_CASE_TEMPLATE("practical_splits: by hand, even, by one factor and between", T, float, double) {
-    const auto even = uniform_splits<4>(T(2), T(10));
-    const auto factor = logarithmic_splits<3>(T(1), T(1000));
+    const auto even = practical_splits<4>(T(2), T(10), T(0));
+    const auto factor = practical_splits<3>(T(1), T(1000), T(1));
     const auto between = practical_splits<2>(T(1), T(9), T(0.25));
     for (std::size_t i = 0; i < 5; ++i) CHECK(even[i] == Approx(2.0 + 2.0 * double(i)));
     for (std::size_t i = 0; i < 4; ++i) CHECK(factor[i] == Approx(std::pow(10.0, double(i))));
@@ -47,9 +47,4 @@ TEST_CASE("practical_splits: what cannot be cut is named") {
     CHECK(of(1.0f, std::nextafter(1.0f, 2.0f), 0.5f) ==
           "umbrage::practical_splits: z_near and z_far must be farther apart; got (1, 1)");
     CHECK(of(1.0f, 1.001f, 1.0f).empty());
-}
-
-TEST_CASE("split_shares: 0 to 1 over the range") {
-    const auto shares = split_shares(std::array{2.0f, 4.0f, 8.0f, 10.0f});
-    CHECK(shares == std::array{0.0f, 0.25f, 0.75f, 1.0f});
 }

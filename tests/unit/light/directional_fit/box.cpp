@@ -34,7 +34,7 @@ TEST_CASE("fit_directional_light: a box's corners and the margin touch the sides
             const auto light = fit_directional_light(fit);
             glm::dvec3 low(2), high(-1);
             for (glm::dvec3 corner : corners(box)) {
-                const glm::dvec3 p = through(texture_matrix_uv(light), corner);
+                const glm::dvec3 p = through(texture_matrix(light, {1, 1}), corner);
                 low = glm::min(low, p), high = glm::max(high, p);
             }
             // what the margin takes of the whole side: one and the same length in the world
@@ -83,17 +83,17 @@ TEST_CASE("fit_directional_light: by hand") {
     // looking down -z at a box of 2 x 4 x 4, diagonal 6, margin 0.6: half extents 1.6, 2.6, 2.6
     const bounding_box<double> box{{0, 0, 0}, {2, 4, 4}};
     directional_fit<double> fit{.direction = {0, 0, -1}, .receivers = box, .margin = 0.1, .clip = cpu_clip_space};
-    glm::dmat4 uv = texture_matrix_uv(fit_directional_light(fit));
+    glm::dmat4 uv = texture_matrix(fit_directional_light(fit), {1, 1});
     CHECK(glm::length(through(uv, {1, 2, 2}) - 0.5) < 1e-15);
     CHECK(glm::length(through(uv, {0, 0, 4}) - glm::dvec3(0.6 / 3.2, 0.6 / 5.2, 0.6 / 5.2)) < 1e-15);
 
     // casters up to z = 8: the near plane is 4.6 before the box, the depth's 9.2 are from 8.6 to -0.6
     fit.casters = bounding_box<double>{{-9, -9, 5}, {9, 9, 8}};
-    uv = texture_matrix_uv(fit_directional_light(fit));
+    uv = texture_matrix(fit_directional_light(fit), {1, 1});
     CHECK(through(uv, {1, 2, 8.6}).z == doctest::Approx(0));
     CHECK(through(uv, {1, 2, -0.6}).z == doctest::Approx(1));
     fit.casters = bounding_box<double>{{3, -9, 5}, {9, 9, 8}};  // beside
-    uv = texture_matrix_uv(fit_directional_light(fit));
+    uv = texture_matrix(fit_directional_light(fit), {1, 1});
     CHECK(through(uv, {1, 2, 4.6}).z == doctest::Approx(0));
 
     // a square of 64 texels, of which 63 are 5.2 wide, at multiples of a texel
@@ -123,7 +123,7 @@ TEST_CASE("fit_directional_light: float keeps what is inside inside, far from th
         if (i % 2 == 0) box.low += glm::vec3(2000, -500, 1500);
         box.high = box.low + glm::vec3(extent(random), extent(random), extent(random));
         fit.receivers = box;
-        const glm::mat4 m = texture_matrix_uv(fit_directional_light(fit));
+        const glm::mat4 m = texture_matrix(fit_directional_light(fit), {1, 1});
         for (glm::dvec3 corner : corners(box)) {
             const glm::vec3 p = project_coordinate(shadow_coordinate(m, glm::vec3(corner)));
             for (int k = 0; k < 3; ++k) outside += !(p[k] > 0 && p[k] < 1);

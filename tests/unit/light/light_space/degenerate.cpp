@@ -64,7 +64,7 @@ constexpr auto anything = [](const auto&...) {};
 /// Inside of a map and its depths, to float's digits.
 template <class T>
 bool holds(const light_space<T>& light, glm::dvec3 p) {
-    const glm::dvec3 at = through(texture_matrix_uv(light), p);
+    const glm::dvec3 at = through(texture_matrix(light, {1, 1}), p);
     return glm::all(glm::greaterThan(at, glm::dvec3(-1e-4))) && glm::all(glm::lessThan(at, glm::dvec3(1 + 1e-4)));
 }
 

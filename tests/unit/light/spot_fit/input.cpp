@@ -48,7 +48,7 @@ TEST_CASE("make_spot_light, fit_spot_light: reversed without a far plane, depth 
         CAPTURE(to_string(clip));
         const auto light =
             make_spot_light<double>({.direction = {0, 0, 1}, .z_near = 0.25, .z_far = infinity, .clip = clip});
-        const glm::dmat4 uv = texture_matrix_uv(light);
+        const glm::dmat4 uv = texture_matrix(light, {1, 1});
         for (double distance : {0.25, 1.0, 77.0, 1e6, 1e12})
             CHECK(std::abs(through(uv, {0, 0, distance}).z * distance / 0.25 - 1) <
                   (clip.range == depth_range::zero_to_one ? 1e-15 : 1e-2));

@@ -22,7 +22,7 @@ namespace {
 
 /// x and y from 0 to 1 over the map, and depth from 0 at the near plane.
 glm::dvec3 placed(const light_space<double>& light, glm::dvec3 p) {
-    glm::dvec3 at = through(texture_matrix_uv(light), p);
+    glm::dvec3 at = through(texture_matrix(light, {1, 1}), p);
     if (light.clip.direction == depth_direction::reversed) at.z = 1.0 - at.z;
     return at;
 }
@@ -204,7 +204,7 @@ TEST_CASE_TEMPLATE("fit_spot_light: what lies between points, none of which is i
                                               .margin = 0,
                                               .clip = cpu_clip_space})
                                .value();
-        return texture_matrix_uv<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip});
+        return texture_matrix<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip}, {1, 1});
     };
     const glm::dmat4 strip =
         fitted(std::vector<glm::dvec3>{{-10, 0, -1}, {10, 0, -1}, {10, 1, 1}, {-10, 1, 1}, {0, 9, 0}});

@@ -106,7 +106,7 @@ TEST_CASE("fit_perspective, fit_plane_optimal: rays of a lamp are texels, depth 
             }
         }
         const auto turn = [&](const light_space<double>& of, glm::dvec3 p) {
-            const glm::dmat4 m = texture_matrix_uv(of);
+            const glm::dmat4 m = texture_matrix(of, {1, 1});
             const auto [x, y] = umbrage::detail::across(glm::normalize(p - s.from.position));
             const glm::dvec2 here(through(m, p)), a = glm::dvec2(through(m, p + 1e-3 * x)) - here,
                                                   b = glm::dvec2(through(m, p + 1e-3 * y)) - here;

@@ -56,12 +56,12 @@ TEST_CASE("fit_light_space_perspective: overhead light and a bare frustum need t
     const auto storage = [&](double n) {
         const glm::dmat4 texels =
             texture_matrix(fit_light_space_perspective<double>(fit, n).light, reference_view::map_size);
-        return measure_quality({.screen = {1000, 1}, .map_size = reference_view::map_size},
-                               [&](glm::ivec2 p) {
-                                   return pixels_per_texel(texels, whole.to_pixels,
-                                                           glm::dvec3(0, 0, -std::pow(1000.0, p.x / 999.0)),
-                                                           glm::dvec3(0, 1, 1));
-                               })
+        return example::measure_quality({.screen = {1000, 1}, .map_size = reference_view::map_size},
+                                        [&](glm::ivec2 p) {
+                                            return pixels_per_texel(texels, whole.to_pixels,
+                                                                    glm::dvec3(0, 0, -std::pow(1000.0, p.x / 999.0)),
+                                                                    glm::dvec3(0, 1, 1));
+                                        })
                    .storage_factor *
                1000 / (reference_view::screen.x * double(reference_view::screen.y));
     };
@@ -79,14 +79,14 @@ TEST_CASE("fit_light_space_perspective: by hand, and without a warp") {
                          .clip = cpu_clip_space};
     const auto warped = fit_light_space_perspective<double>(fit, 2.0);
     CHECK(warped.strength == doctest::Approx(0.5));  // w from 1 to 2
-    const glm::dmat4 uv = texture_matrix_uv(warped.light);
+    const glm::dmat4 uv = texture_matrix(warped.light, {1, 1});
     CHECK(glm::length(through(uv, {-1, 1, -1}) - glm::dvec3(0, 0, 0)) < 1e-12);
     CHECK(glm::length(through(uv, {2, 0, -1}) - glm::dvec3(1, 0, 1)) < 1e-12);
     CHECK(glm::length(glm::dvec2(through(uv, {2, 0, -3})) - glm::dvec2(0.75, 1)) < 1e-12);
     CHECK(through(uv, {0, 0, -2}).y == doctest::Approx(2.0 / 3));
 
     fit.margin = 0.1;
-    CHECK(through(texture_matrix_uv(fit_light_space_perspective<double>(fit, 2.0).light), {-1, 1, -1}).x ==
+    CHECK(through(texture_matrix(fit_light_space_perspective<double>(fit, 2.0).light, {1, 1}), {-1, 1, -1}).x ==
           doctest::Approx(0.1 / 1.2));
     const double infinity = std::numeric_limits<double>::infinity();
     fit.margin = 0;
@@ -114,7 +114,7 @@ TEST_CASE(
             const warped_light<double> warped = warp(fit);
             if (std::sin(angle) <= 0.02) CHECK(warped.strength == 0);
             least = std::min(least, warped.strength), greatest = std::max(greatest, warped.strength);
-            const glm::dmat4 uv = texture_matrix_uv(warped.light);
+            const glm::dmat4 uv = texture_matrix(warped.light, {1, 1});
             for (const glm::dvec3& p : fit.receivers->points)
                 if (before)
                     step = std::max(step, glm::length(glm::dvec2(through(uv, p)) - glm::dvec2(through(*before, p))));

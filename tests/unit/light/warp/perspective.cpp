@@ -21,7 +21,7 @@ using namespace umbrage;
 
 namespace {
 
-quality_report on_ground_of(const warped_light<double>& warped) {
+example::quality_report on_ground_of(const warped_light<double>& warped) {
     return reference_view::on_ground({texture_matrix(warped.light, reference_view::map_size)});
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("fit_perspective: over a long ground, no worse than measured apart") {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         CAPTURE(i);
         const auto warped = fit_perspective(reference_view::warp_under(reference_view::suns[i]));
-        const quality_report report = on_ground_of(warped);
+        const example::quality_report report = on_ground_of(warped);
         CHECK(warped.seen_as == rows[i].seen_as);
         CHECK(report.p95 < rows[i].p95 * 1.01);
         CHECK(report.greatest < rows[i].greatest * 1.01);
@@ -67,7 +67,7 @@ TEST_CASE("fit_perspective: overhead light by hand") {
     const auto warped = fit_perspective(fit);
     CHECK(warped.seen_as == light_image::parallel);
     CHECK(warped.strength == doctest::Approx(0.5));  // w is the distance
-    const glm::dmat4 uv = texture_matrix_uv(warped.light);
+    const glm::dmat4 uv = texture_matrix(warped.light, {1, 1});
     CHECK(glm::length(through(uv, {-1, 0, -1}) - glm::dvec3(0, 0, through(uv, {-1, 0, -1}).z)) < 1e-12);
     CHECK(glm::length(glm::dvec2(through(uv, {1, 0.5, -3})) - glm::dvec2(0.75, 1)) < 1e-12);
     CHECK(through(uv, {0, 1, -5.0 / 3}).y == doctest::Approx(0.5));
@@ -87,7 +87,7 @@ TEST_CASE("fit_perspective: no jump while the light passes from before the camer
         warp_fit<double> fit = reference_view::warp_under({60 + 60.0 * i / steps, 0});
         const auto warped = fit_perspective(fit);
         ++images[int(warped.seen_as)];
-        const glm::dmat4 uv = texture_matrix_uv(warped.light);
+        const glm::dmat4 uv = texture_matrix(warped.light, {1, 1});
         if (before)
             for (const glm::dvec3& p : fit.receivers->points)
                 greatest_step =
@@ -129,8 +129,8 @@ TEST_CASE("fit_perspective: turns into light-space perspective, and back again, 
                     (replaced(middle) == before ? first : last) = middle;
                 }
                 const auto fit = under(first);
-                const glm::dmat4 one = texture_matrix_uv(fit_perspective(fit).light),
-                                 other = texture_matrix_uv(fit_perspective(under(last)).light);
+                const glm::dmat4 one = texture_matrix(fit_perspective(fit).light, {1, 1}),
+                                 other = texture_matrix(fit_perspective(under(last)).light, {1, 1});
                 for (const glm::dvec3& p : fit.receivers->points)
                     CHECK(glm::length(through(one, p) - through(other, p)) < 1e-7);
             }
@@ -180,7 +180,7 @@ TEST_CASE("fit_perspective: shows what the light sees as another warp does, in e
             warp_fit<double> fit = reference_view::warp_under(s);
             fit.clip = clip;
             const auto turn = [&](const warped_light<double>& warped) {
-                const glm::dmat4 uv = texture_matrix_uv(warped.light);
+                const glm::dmat4 uv = texture_matrix(warped.light, {1, 1});
                 const glm::dvec3 p(1, 0, -20);
                 const glm::dvec2 at(through(uv, p)), x = glm::dvec2(through(uv, p + glm::dvec3(0.1, 0, 0))) - at,
                                                      z = glm::dvec2(through(uv, p + glm::dvec3(0, 0, 0.1))) - at;

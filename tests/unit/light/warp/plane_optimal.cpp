@@ -25,7 +25,7 @@ const glm::dvec4 level(0, 1, 0, 0);
 TEST_CASE("fit_plane_optimal: every texel of a ground is as long as any other, under every light") {
     for (const auto& s : reference_view::suns) {
         const auto warped = fit_plane_optimal(reference_view::warp_under(s), level).value();
-        const quality_report report =
+        const example::quality_report report =
             reference_view::on_ground({texture_matrix(warped.light, reference_view::map_size)});
         CHECK(report.mean == doctest::Approx(0.625).epsilon(1e-9));  // 1280 pixels over 2048 texels
         CHECK(report.greatest == doctest::Approx(0.625).epsilon(1e-9));
@@ -45,8 +45,8 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
         fit.direction = reference_view::sun(elevation, azimuth);
         if (i % 3 == 0) fit.margin = 0.05;
         const auto warped = fit_plane_optimal(fit, i % 2 ? level : -3.0 * level).value();
-        const glm::dmat4 uv = texture_matrix_uv(warped.light), rounded{glm::mat4(uv)};
-        const glm::dmat4 other = texture_matrix_uv(fit_light_space_perspective(fit).light);
+        const glm::dmat4 uv = texture_matrix(warped.light, {1, 1}), rounded{glm::mat4(uv)};
+        const glm::dmat4 other = texture_matrix(fit_light_space_perspective(fit).light, {1, 1});
         for (int k = 0; k < 8; ++k) {
             const glm::dvec3 ground(bodies::real(-2, 2)(random), 0, -std::pow(10, bodies::real(0.7, 2.9)(random)));
             const glm::dvec2 pixel(through(reference_view::reference.to_pixels, ground));
@@ -102,7 +102,7 @@ TEST_CASE("plane_optimal_rounding: more than rounding spreads the plane's depth 
         fit.camera.position.y = bodies::real(1, 10)(random);
         fit.camera.direction = {std::sin(yaw), std::tan(pitch), std::cos(yaw)};
         fit.direction = reference_view::sun(bodies::real(3, 90)(random), bodies::real(0, 360)(random));
-        const glm::dmat4 rounded{glm::mat4(texture_matrix_uv(fit_plane_optimal(fit, level).value().light))};
+        const glm::dmat4 rounded{glm::mat4(texture_matrix(fit_plane_optimal(fit, level).value().light, {1, 1}))};
         double least = 1, most = 0;
         for (const glm::dvec3& p : detail::crossings(polyhedron(fit.camera), level)) {
             const double depth = through(rounded, p).z;

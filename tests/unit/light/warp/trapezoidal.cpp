@@ -51,7 +51,7 @@ TEST_CASE("fit_trapezoidal: the focus lies at four fifths, the trapezoid's corne
         double before = 0;
         for (const double focus : {5.0, 10.0, 20.0}) {
             const auto warped = fit_trapezoidal(fit, focus);
-            const glm::dmat4 uv = texture_matrix_uv(warped.light);
+            const glm::dmat4 uv = texture_matrix(warped.light, {1, 1});
             const glm::dvec3 at = through(uv, camera.position + focus * way);
             CHECK(at.x == doctest::Approx(0.5));
             CHECK(at.y == doctest::Approx(0.8));

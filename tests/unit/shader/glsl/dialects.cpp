@@ -20,7 +20,7 @@ TEST_CASE("text for a dialect: what __VERSION__ and GL_ES decide is decided") {
     CHECK(umbrage::glsl::detail::resolved(forked, 120) == "a\ne\nf\n");
     CHECK(umbrage::glsl::detail::resolved(forked, 130) == "a\nb\n#ifdef A\nc\n#else\nd\n#endif\nf\n");
     const auto prelude = [](version v) {
-        const std::string all = text(v, {umbrage::glsl::saturate});
+        const std::string all = text({umbrage::glsl::saturate}, v);
         return all.substr(all.find("#ifndef"), all.find("\n\n#ifndef UMBRAGE_HAS") - all.find("#ifndef"));
     };
     const auto of = [](const char* highp, const char* precise) {
@@ -33,8 +33,8 @@ TEST_CASE("text for a dialect: what __VERSION__ and GL_ES decide is decided") {
     CHECK(prelude(version::v100) == of(" highp", ""));
     CHECK(prelude(version::v310_es) == of(" highp", ""));
     CHECK(prelude(version::v320_es) == of(" highp", " precise"));
-    CHECK(count(text(version::v120, {umbrage::glsl::texel}), "texelFetch") == 0);
-    CHECK(count(text(version::v300_es, {umbrage::glsl::texel}), "texture2D") == 0);
+    CHECK(count(text({umbrage::glsl::texel}, version::v120), "texelFetch") == 0);
+    CHECK(count(text({umbrage::glsl::texel}, version::v300_es), "texture2D") == 0);
 }
 
 TEST_CASE("text for a dialect: its bound, and precise where the dialect has it, else that sums may be reordered") {
@@ -44,7 +44,7 @@ TEST_CASE("text for a dialect: its bound, and precise where the dialect has it, 
         for (const version v : versions) {
             if (!supports(*s, v)) continue;
             CAPTURE(directive(v));
-            const std::string out = text(v, {*s});
+            const std::string out = text({*s}, v);
             const bool has_precise = v == version::v320_es || v >= version::v430;
             CHECK((out.find("\n#define UMBRAGE_PRECISE precise\n") != out.npos) == has_precise);
             const std::string note = bounds_note(*s, has_precise ? "" : "GLSL " + std::string(directive(v)));
@@ -66,7 +66,7 @@ TEST_CASE("text for a dialect: directives that preprocessors of engines know") {
         for (const version v : {version::v100, version::v300_es, version::v450}) {
             if (!supports(items.front(), v)) continue;
             CAPTURE(items.front().what.name);
-            std::istringstream lines(text(v, items));
+            std::istringstream lines(text(items, v));
             std::set<std::string> defined;
             for (std::string line; std::getline(lines, line);) {
                 CAPTURE(line);

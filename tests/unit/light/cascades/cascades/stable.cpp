@@ -12,9 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include <common/stability.hpp>
+
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/images/rasterize.hpp>
-#include <umbrage/images/stability.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -205,7 +206,7 @@ TEST_CASE("make_stable_cascades: what a map shows of fixed points never changes 
                                                      .direction = depth_direction::reversed,
                                                      .origin = texture_origin::top}}) {
         std::size_t partly = 0;
-        const stability_report r = measure_stability(12, points.size(), [&](int frame) {
+        const example::stability_report r = example::measure_stability(12, points.size(), [&](int frame) {
             const float a = 0.61f * static_cast<float>(frame);
             cascade_fit<float> fit{
                 .direction = direction, .scene = {middle - 60.0f, middle + 60.0f}, .map_size = 256, .clip = clip};
@@ -215,7 +216,7 @@ TEST_CASE("make_stable_cascades: what a map shows of fixed points never changes 
             CHECK(cascade.light.view == rotation);
             image<float> map({256, 256}, cleared_depth(clip));
             rasterize_depth(map, {positions, triangles}, cascade.light.projection, clip);
-            return [&, cascade, map = std::move(map)](std::size_t i) -> placed_point {
+            return [&, cascade, map = std::move(map)](std::size_t i) -> example::placed_point {
                 const glm::vec3 at = cascade_coordinate(points[i], cascade.scale, cascade.offset);
                 if (!inside_cascade(at, glm::vec2(256), 1.5f)) return {};
                 const float visibility = pcf_2x2(clamped(map), glm::vec2(at), at.z, comparison{clip.direction});

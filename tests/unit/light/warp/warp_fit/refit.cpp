@@ -32,7 +32,7 @@ glm::dmat4 any_warp(const warp_fit<double>& fit, std::mt19937& random) {
 
 /// x, y and depth of a forward map of [0, 1].
 glm::dvec3 in_cube(const light_space<double>& light, glm::dvec3 p) {
-    return in_convention(through(texture_matrix_uv(light), p), light.clip, 1);
+    return in_convention(through(texture_matrix(light, {1, 1}), p), light.clip, 1);
 }
 
 }  // namespace

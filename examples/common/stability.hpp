@@ -1,31 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// How still a light's maps stand while the camera moves: whether points of the world keep their places between texels,
-// and their light.
+// How stable a light's maps are while the camera moves: whether points of the world keep their places between texels,
+// and their visibility.
 //
-//     auto report = umbrage::measure_stability(frames, points.size(), [&](int frame) {
+//     auto report = example::measure_stability(frames, points.size(), [&](int frame) {
 //         const auto maps = draw_maps(camera_at(frame));
 //         return [&, maps](std::size_t i) {
-//             return umbrage::placed_point{0, maps.texel(points[i]), maps.lit(points[i])};
+//             return example::placed_point{0, maps.texel(points[i]), maps.lit(points[i])};
 //         };
 //     });
 //     std::printf("drift %g texels, %g %% flicker\n", report.drift, 100 * report.share());
 //
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include <umbrage/core/algorithm.hpp>
-#include <umbrage/core/check.hpp>
-#include <umbrage/core/config.hpp>
-#include <umbrage/light/light_space.hpp>
-
-namespace umbrage {
+namespace example {
 
 /// A point of the world in a frame's maps.
 struct placed_point {
@@ -45,15 +40,13 @@ struct stability_report {
     [[nodiscard]] double share() const { return compared ? double(changed) / double(compared) : 0; }
 };
 
-/// Measures a set-up over the frames of a moving camera, each point against the first frame in which the same map holds
+/// Measures a setup over the frames of a moving camera, each point against the first frame in which the same map holds
 /// it: what passes from one map to another is not compared.
 ///
 /// @param frame   (int) -> what places points in that frame: (std::size_t point) -> placed_point
-/// @throws std::invalid_argument  frames below 1
 /// @formula       drift = max |m - nearest whole number to m|, m what a point has moved by through a map, in x or in y
 template <class Frame>
 [[nodiscard]] stability_report measure_stability(int frames, std::size_t points, Frame&& frame) {
-    detail::require(frames >= 1, "measure_stability", "frames", "above 0", frames);
     std::vector<placed_point> first;  // of a map, point by point
     std::vector<char> compared(points), changed(points);
     stability_report report;
@@ -70,10 +63,10 @@ template <class Frame>
                 continue;
             }
             const glm::dvec2 moved = now.texel - then.texel, off = glm::abs(moved - glm::round(moved));
-            report.drift = detail::greater(report.drift, detail::greater(off.x, off.y));
+            report.drift = std::max({report.drift, off.x, off.y});
             compared[k] = 1;
             const double change = glm::abs(now.visibility - then.visibility);
-            report.change = detail::greater(report.change, change);
+            report.change = std::max(report.change, change);
             if (change != 0.0) changed[k] = 1;
         }
     }
@@ -81,4 +74,4 @@ template <class Frame>
     return report;
 }
 
-}  // namespace umbrage
+}  // namespace example
