@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <umbrage/filter/filters.hpp>
+#include <umbrage/images/blocks/forms.hpp>
 #include <umbrage/images/blocks/planes.hpp>
 
 namespace umbrage::detail {
