@@ -224,7 +224,10 @@ TEST_CASE("window: draws what the headless viewer draws, and text over it") {
     for (const char* kind : {"", "--es2 "}) {
         const std::string small = std::string(kind) + "--width 300 --height 200 --frames 3 ";
         const picture window = viewed(small + "--no-text", in);
-        CHECK(differing(window, viewed(small + "--headless")) == 0);
+        // the window's texels are BGRX: there llvmpipe may store what lies between two levels as the other
+        const picture alone = viewed(small + "--headless");
+        CHECK(differing(window, alone) <= 2);
+        CHECK(differing_by_levels(window, alone) <= 1);
         CHECK(differing(viewed(small, in), window) > 500);
     }
 }

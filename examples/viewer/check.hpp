@@ -26,5 +26,7 @@ using example::quoted;
 [[nodiscard]] picture viewed(const std::string& arguments, const std::string& in = {});
 
 [[nodiscard]] int differing(const picture& a, const picture& b);
+/// Greatest difference of a channel.
+[[nodiscard]] int differing_by_levels(const picture& a, const picture& b);
 
 }  // namespace viewer_check

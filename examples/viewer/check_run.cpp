@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "check.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include <png.hpp>
 
 namespace viewer_check {
@@ -19,6 +22,14 @@ int differing(const picture& a, const picture& b) {
     int count = 0;
     for (std::size_t i = 0; i < a.texels().size(); ++i) count += a.texels()[i] != b.texels()[i];
     return count;
+}
+
+int differing_by_levels(const picture& a, const picture& b) {
+    REQUIRE(a.size() == b.size());
+    int most = 0;
+    for (std::size_t i = 0; i < a.texels().size(); ++i)
+        for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(int(a.texels()[i][c]) - int(b.texels()[i][c])));
+    return most;
 }
 
 }  // namespace viewer_check

@@ -1130,7 +1130,7 @@ struct float_target {
     static constexpr std::string_view format = "R32F";
     static constexpr const glsl::snippet* to_unorm = nullptr;
 
-    [[nodiscard]] static constexpr glm::vec4 load(texel t) { return {t, 0, 0, 0}; }
+    [[nodiscard]] static glm::vec4 load(texel t) { return {t, 0, 0, 0}; }
 };
 
 namespace detail {
@@ -1156,7 +1156,7 @@ struct unorm_target {
     [[nodiscard]] static constexpr texel store(Values values, unorm_store mode = {}) {
         return store_unorm<Bits>(values, mode);
     }
-    [[nodiscard]] static constexpr glm::vec4 load(texel t) {
+    [[nodiscard]] static glm::vec4 load(texel t) {
         glm::vec4 c(0);
         if constexpr (Channels == 1) c.x = float(t) / float((1 << Bits) - 1);
         else
@@ -1176,11 +1176,11 @@ struct unorm_target<10, 3> {
     [[nodiscard]] static constexpr texel packed(glm::u16vec3 k) {
         return std::uint32_t(k.x) | std::uint32_t(k.y) << 10 | std::uint32_t(k.z) << 20 | 3u << 30;
     }
-    [[nodiscard]] static constexpr glm::u16vec3 unpacked(texel t) { return {t & 1023, t >> 10 & 1023, t >> 20 & 1023}; }
-    [[nodiscard]] static constexpr texel store(glm::vec3 values, unorm_store mode = {}) {
+    [[nodiscard]] static glm::u16vec3 unpacked(texel t) { return {t & 1023, t >> 10 & 1023, t >> 20 & 1023}; }
+    [[nodiscard]] static texel store(glm::vec3 values, unorm_store mode = {}) {
         return packed(store_unorm<10>(values, mode));
     }
-    [[nodiscard]] static constexpr glm::vec4 load(texel t) { return {load_unorm<10>(unpacked(t)), 0}; }
+    [[nodiscard]] static glm::vec4 load(texel t) { return {load_unorm<10>(unpacked(t)), 0}; }
 };
 
 }  // namespace umbrage
@@ -2684,25 +2684,19 @@ private:
 
 namespace detail {
 
-/// What functions over images take: an image, or a view of one.
-template <class T>
-[[nodiscard]] image_view<T> view_of(image_view<T> view) {
-    return view;
-}
-template <class T>
-[[nodiscard]] image_view<T> view_of(image<T>& of) {
-    return of;
-}
-template <class T>
-[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
-    return of;
-}
-template <class Map>
-using texel_of = std::remove_const_t<std::remove_pointer_t<decltype(view_of(std::declval<const Map&>()).data)>>;
 template <class T>
 inline constexpr bool is_image = false;
 template <class T>
 inline constexpr bool is_image<image<T>> = true;
+
+/// What functions over images take: an image, or a view of one.
+template <class Map>
+[[nodiscard]] auto view_of(Map& map) {
+    if constexpr (is_image<std::remove_const_t<Map>>) return map.view();
+    else return map;
+}
+template <class Map>
+using texel_of = std::remove_const_t<std::remove_pointer_t<decltype(view_of(std::declval<const Map&>()).data)>>;
 template <class... Any>
 concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
 
@@ -4038,7 +4032,7 @@ struct rgb10 {
     [[nodiscard]] constexpr texel encode(float depth) const {
         return target::packed(encode_rgb10(depth, cleared_depth(direction)));
     }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb10(target::unpacked(t), edge); }
+    [[nodiscard]] float decode(texel t) const { return decode_rgb10(target::unpacked(t), edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };
@@ -14483,7 +14477,7 @@ struct receiver_block {
 class receiver_rectangle {
 public:
     receiver_rectangle(glm::vec2 low, glm::vec2 high) {
-        constexpr float greatest = std::numeric_limits<float>::max();
+        constexpr float greatest = (std::numeric_limits<float>::max)();
         for (int i = 0; i < period; ++i) {
             low_[i] = i % 3 == 0 ? low.x : i % 3 == 1 ? low.y : -greatest;
             high_[i] = i % 3 == 0 ? high.x : i % 3 == 1 ? high.y : greatest;
@@ -16591,8 +16585,7 @@ template <real T>
 template <real T, std::size_t Count>
 [[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
     static_assert(Count >= 1 && Count <= 4,
-                  "umbrage::make_cascade_uniforms: one to four cascades, as cascade_column and cascade_by_projection "
-                  "take four");
+                  "make_cascade_uniforms takes one to four cascades, as cascade_column and cascade_by_projection do");
     detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
     cascade_uniforms<T> u;
     u.rotation = cascades[0].light.view;
@@ -16652,13 +16645,13 @@ struct placed_receiver {
 
 /// The first cascade that holds a point and its filter; none: lit.
 struct cascade_placing {
-    static constexpr glm::ivec2 tiles{2, 2};
+    static constexpr int columns = 2, rows = 2;  // of tiles
     cascade_uniforms<float> u;
     int size;
     float reach;
 
     cascade_placing(const cascade_uniforms<float>& uniforms, glm::ivec2 texels, float filter_reach)
-        : u(uniforms), size(texels.x / tiles.x), reach(filter_reach) {}
+        : u(uniforms), size(texels.x / columns), reach(filter_reach) {}
     [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
         const glm::vec3 light(shadow_coordinate(u.rotation, world));
         const glm::vec4 at =
@@ -16684,7 +16677,7 @@ struct face_placing {
     }
 };
 struct cube_placing : face_placing<6> {
-    static constexpr glm::ivec2 tiles{3, 2};
+    static constexpr int columns = 3, rows = 2;  // of tiles
     cube_placing(const point_light<float>& l, glm::ivec2, float)
         : face_placing<6>(make_point_light(l), l.position, l.map_size) {}
     [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
@@ -16693,7 +16686,7 @@ struct cube_placing : face_placing<6> {
     }
 };
 struct tetrahedron_placing : face_placing<4> {
-    static constexpr glm::ivec2 tiles{1, 1};
+    static constexpr int columns = 1, rows = 1;  // of tiles
     tetrahedron_placing(const tetrahedron_light<float>& l, glm::ivec2, float)
         : face_placing<4>(make_tetrahedron_light(l), l.position, l.map_size) {}
     [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
@@ -16701,7 +16694,7 @@ struct tetrahedron_placing : face_placing<4> {
     }
 };
 struct paraboloid_placing {
-    static constexpr glm::ivec2 tiles{2, 1};
+    static constexpr int columns = 2, rows = 1;  // of tiles
     dual_paraboloid_light<float> light;
     int size;
 
@@ -16765,8 +16758,8 @@ void visibility(const light_map<typename Encoding::texel, Light>& map, const Enc
     using placing = typename detail::placing_of<Light>::type;
     const placing place(map.light, map.texels.size, reach);
     detail::require(place.size >= 1, function, "map.texels.size", "that of the light's tiles", map.texels.size);
-    detail::require_size(map.texels.size, placing::tiles * place.size, function, "map.texels.size",
-                         "that of the light's tiles");
+    detail::require_size(map.texels.size, glm::ivec2(placing::columns, placing::rows) * place.size, function,
+                         "map.texels.size", "that of the light's tiles");
     parallel(out.size.y, [&](int first, int last) {
         for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
             for (p.x = 0; p.x < out.size.x; ++p.x) {

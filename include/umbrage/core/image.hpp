@@ -145,25 +145,19 @@ private:
 
 namespace detail {
 
-/// What functions over images take: an image, or a view of one.
-template <class T>
-[[nodiscard]] image_view<T> view_of(image_view<T> view) {
-    return view;
-}
-template <class T>
-[[nodiscard]] image_view<T> view_of(image<T>& of) {
-    return of;
-}
-template <class T>
-[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
-    return of;
-}
-template <class Map>
-using texel_of = std::remove_const_t<std::remove_pointer_t<decltype(view_of(std::declval<const Map&>()).data)>>;
 template <class T>
 inline constexpr bool is_image = false;
 template <class T>
 inline constexpr bool is_image<image<T>> = true;
+
+/// What functions over images take: an image, or a view of one.
+template <class Map>
+[[nodiscard]] auto view_of(Map& map) {
+    if constexpr (is_image<std::remove_const_t<Map>>) return map.view();
+    else return map;
+}
+template <class Map>
+using texel_of = std::remove_const_t<std::remove_pointer_t<decltype(view_of(std::declval<const Map&>()).data)>>;
 template <class... Any>
 concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
 

@@ -39,7 +39,7 @@ struct float_target {
     static constexpr std::string_view format = "R32F";
     static constexpr const glsl::snippet* to_unorm = nullptr;
 
-    [[nodiscard]] static constexpr glm::vec4 load(texel t) { return {t, 0, 0, 0}; }
+    [[nodiscard]] static glm::vec4 load(texel t) { return {t, 0, 0, 0}; }
 };
 
 namespace detail {
@@ -65,7 +65,7 @@ struct unorm_target {
     [[nodiscard]] static constexpr texel store(Values values, unorm_store mode = {}) {
         return store_unorm<Bits>(values, mode);
     }
-    [[nodiscard]] static constexpr glm::vec4 load(texel t) {
+    [[nodiscard]] static glm::vec4 load(texel t) {
         glm::vec4 c(0);
         if constexpr (Channels == 1) c.x = float(t) / float((1 << Bits) - 1);
         else
@@ -85,11 +85,11 @@ struct unorm_target<10, 3> {
     [[nodiscard]] static constexpr texel packed(glm::u16vec3 k) {
         return std::uint32_t(k.x) | std::uint32_t(k.y) << 10 | std::uint32_t(k.z) << 20 | 3u << 30;
     }
-    [[nodiscard]] static constexpr glm::u16vec3 unpacked(texel t) { return {t & 1023, t >> 10 & 1023, t >> 20 & 1023}; }
-    [[nodiscard]] static constexpr texel store(glm::vec3 values, unorm_store mode = {}) {
+    [[nodiscard]] static glm::u16vec3 unpacked(texel t) { return {t & 1023, t >> 10 & 1023, t >> 20 & 1023}; }
+    [[nodiscard]] static texel store(glm::vec3 values, unorm_store mode = {}) {
         return packed(store_unorm<10>(values, mode));
     }
-    [[nodiscard]] static constexpr glm::vec4 load(texel t) { return {load_unorm<10>(unpacked(t)), 0}; }
+    [[nodiscard]] static glm::vec4 load(texel t) { return {load_unorm<10>(unpacked(t)), 0}; }
 };
 
 }  // namespace umbrage

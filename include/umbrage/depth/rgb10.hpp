@@ -105,7 +105,7 @@ struct rgb10 {
     [[nodiscard]] constexpr texel encode(float depth) const {
         return target::packed(encode_rgb10(depth, cleared_depth(direction)));
     }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb10(target::unpacked(t), edge); }
+    [[nodiscard]] float decode(texel t) const { return decode_rgb10(target::unpacked(t), edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };

@@ -58,13 +58,13 @@ struct placed_receiver {
 
 /// The first cascade that holds a point and its filter; none: lit.
 struct cascade_placing {
-    static constexpr glm::ivec2 tiles{2, 2};
+    static constexpr int columns = 2, rows = 2;  // of tiles
     cascade_uniforms<float> u;
     int size;
     float reach;
 
     cascade_placing(const cascade_uniforms<float>& uniforms, glm::ivec2 texels, float filter_reach)
-        : u(uniforms), size(texels.x / tiles.x), reach(filter_reach) {}
+        : u(uniforms), size(texels.x / columns), reach(filter_reach) {}
     [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
         const glm::vec3 light(shadow_coordinate(u.rotation, world));
         const glm::vec4 at =
@@ -90,7 +90,7 @@ struct face_placing {
     }
 };
 struct cube_placing : face_placing<6> {
-    static constexpr glm::ivec2 tiles{3, 2};
+    static constexpr int columns = 3, rows = 2;  // of tiles
     cube_placing(const point_light<float>& l, glm::ivec2, float)
         : face_placing<6>(make_point_light(l), l.position, l.map_size) {}
     [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
@@ -99,7 +99,7 @@ struct cube_placing : face_placing<6> {
     }
 };
 struct tetrahedron_placing : face_placing<4> {
-    static constexpr glm::ivec2 tiles{1, 1};
+    static constexpr int columns = 1, rows = 1;  // of tiles
     tetrahedron_placing(const tetrahedron_light<float>& l, glm::ivec2, float)
         : face_placing<4>(make_tetrahedron_light(l), l.position, l.map_size) {}
     [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
@@ -107,7 +107,7 @@ struct tetrahedron_placing : face_placing<4> {
     }
 };
 struct paraboloid_placing {
-    static constexpr glm::ivec2 tiles{2, 1};
+    static constexpr int columns = 2, rows = 1;  // of tiles
     dual_paraboloid_light<float> light;
     int size;
 
@@ -171,8 +171,8 @@ void visibility(const light_map<typename Encoding::texel, Light>& map, const Enc
     using placing = typename detail::placing_of<Light>::type;
     const placing place(map.light, map.texels.size, reach);
     detail::require(place.size >= 1, function, "map.texels.size", "that of the light's tiles", map.texels.size);
-    detail::require_size(map.texels.size, placing::tiles * place.size, function, "map.texels.size",
-                         "that of the light's tiles");
+    detail::require_size(map.texels.size, glm::ivec2(placing::columns, placing::rows) * place.size, function,
+                         "map.texels.size", "that of the light's tiles");
     parallel(out.size.y, [&](int first, int last) {
         for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
             for (p.x = 0; p.x < out.size.x; ++p.x) {

@@ -78,9 +78,9 @@ template <class = on_use>
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
     std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
-    // stable: zeros of either sign are equal
-    std::stable_sort(points.begin(), points.end(),
-                     [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    for (glm::dvec2& p : points) p += 0.0;  // zeros are all positive: what is equal has equal bits
+    std::sort(points.begin(), points.end(),
+              [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     // from b on: a and b may be one corner but for rounding, and (c - a) would then have lost their turn
     const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
         return (b.x - a.x) * (c.y - b.y) <= (b.y - a.y) * (c.x - b.x);

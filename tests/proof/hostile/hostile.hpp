@@ -29,11 +29,11 @@ namespace hostile {
 
 inline float from_bits(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 
-// k / 255 rounded to nearest, by integers.
-inline std::uint32_t unorm_bits(std::uint32_t k) {
+// k / most rounded to nearest, by integers.
+inline std::uint32_t unorm_bits(std::uint32_t k, std::uint32_t most = 255) {
     if (k == 0) return 0;
     std::uint32_t shift = 23, q = 0;
-    for (; q < 1u << 23; ++shift) q = static_cast<std::uint32_t>((2 * (std::uint64_t(k) << shift) + 255) / 510);
+    for (; q < 1u << 23; ++shift) q = static_cast<std::uint32_t>((2 * (std::uint64_t(k) << shift) + most) / (2 * most));
     return ((150u - (shift - 1)) << 23) + (q - (1u << 23));
 }
 

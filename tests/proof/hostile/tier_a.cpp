@@ -96,8 +96,8 @@ struct suite : setting {
 void suite::wide_channels() const {
     using namespace umbrage;
     const auto read = [](source& s, std::uint32_t most) {
-        const float c = float(s.below(most + 1)) / float(most);
-        return c > 0.0f ? from_bits(std::bit_cast<std::uint32_t>(c) + s.below(3) - 1) : c;
+        const std::uint32_t bits = hostile::unorm_bits(s.below(most + 1), most);
+        return from_bits(bits > 0 ? bits + s.below(3) - 1 : 0);
     };
     const auto tens = [read](source& s) { return glm::vec3(read(s, 1023), read(s, 1023), read(s, 1023)); };
     const auto short_and_edge = [read](source& s) {
@@ -189,6 +189,9 @@ void suite::all() const {
     run(
         "inside_texel_space", inputs, [](source& s) { return s.coords(); },
         [](glm::vec2 c) { return inside_texel_space(c); });
+    run(
+        "map_covers", inputs, [](source& s) { return s.coords(); },
+        [](glm::vec2 c) { return map_covers(glm::vec2(8), c); });
     run("compare", inputs, pair, [](glm::vec2 v) { return compare(v.x, v.y); });
     run("compare_greater_equal", inputs, pair, [](glm::vec2 v) { return compare(v.x, v.y, greater_equal{}); });
 

@@ -58,7 +58,7 @@ struct receiver_block {
 class receiver_rectangle {
 public:
     receiver_rectangle(glm::vec2 low, glm::vec2 high) {
-        constexpr float greatest = std::numeric_limits<float>::max();
+        constexpr float greatest = (std::numeric_limits<float>::max)();
         for (int i = 0; i < period; ++i) {
             low_[i] = i % 3 == 0 ? low.x : i % 3 == 1 ? low.y : -greatest;
             high_[i] = i % 3 == 0 ? high.x : i % 3 == 1 ? high.y : greatest;

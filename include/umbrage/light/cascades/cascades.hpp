@@ -217,8 +217,7 @@ template <real T>
 template <real T, std::size_t Count>
 [[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
     static_assert(Count >= 1 && Count <= 4,
-                  "umbrage::make_cascade_uniforms: one to four cascades, as cascade_column and cascade_by_projection "
-                  "take four");
+                  "make_cascade_uniforms takes one to four cascades, as cascade_column and cascade_by_projection do");
     detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
     cascade_uniforms<T> u;
     u.rotation = cascades[0].light.view;
