@@ -51,7 +51,7 @@ look_up of_blurred(const Prefilter& filter, umbrage::image_view<const float> map
     umbrage::blur(moments, *blurred, kernel_of(radius), progress.bands());
     store(filter, *blurred);
     return [=, &progress](const umbrage::sloped_receivers& receivers, umbrage::image_view<float> visibility) {
-        umbrage::look_up(std::as_const(*blurred).view(), receivers.at, filter, visibility, progress.bands());
+        umbrage::visibility(std::as_const(*blurred).view(), filter, receivers.at, visibility, progress.bands());
     };
 }
 
@@ -63,8 +63,7 @@ look_up of_table(umbrage::image<glm::u16vec4> table, const Kind& of, progress& p
         umbrage::image<glm::vec3> receivers(visibility.size);
         for (glm::ivec2 p{0}; p.y < visibility.size.y; ++p.y)
             for (p.x = 0; p.x < visibility.size.x; ++p.x) receivers[p] = {r.at.x[p], r.at.y[p], r.at.depth[p]};
-        umbrage::summed_visibility(kept->view(), of, std::as_const(receivers).view(), of.radius, visibility,
-                                   progress.bands());
+        umbrage::visibility(kept->view(), of, std::as_const(receivers).view(), of.radius, visibility, progress.bands());
     };
 }
 

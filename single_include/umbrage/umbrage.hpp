@@ -16174,9 +16174,9 @@ template <class = on_use>
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
     std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
-    // stable: zeros of either sign are equal
-    std::stable_sort(points.begin(), points.end(),
-                     [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    for (glm::dvec2& p : points) p += 0.0;  // zeros are all positive: what is equal has equal bits
+    std::sort(points.begin(), points.end(),
+              [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     // from b on: a and b may be one corner but for rounding, and (c - a) would then have lost their turn
     const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
         return (b.x - a.x) * (c.y - b.y) <= (b.y - a.y) * (c.x - b.x);
@@ -17176,7 +17176,7 @@ UMBRAGE_END_STRICT_MATH
 //
 //     umbrage::moment_table of{.radius = 16};
 //     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, of);
-//     umbrage::summed_visibility(table, of, receivers, 16, out);
+//     umbrage::visibility(table, of, receivers, 16, out);
 //
 // A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
 
@@ -17232,7 +17232,8 @@ template <class ParallelFor = serial>
     return table;
 }
 
-/// summed_moments of each receiver.
+/// Visibility from a table: summed_moments of each receiver.
+///
 /// @param table, of   from make_moment_table
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param radius      of the box, at most the table's
@@ -17240,10 +17241,10 @@ template <class ParallelFor = serial>
 /// @param outside     bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
 template <class ParallelFor = serial>
-void summed_visibility(image_view<const glm::u16vec4> table, const moment_table& of,
-                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
-                       ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    constexpr auto function = "summed_visibility";
+void visibility(image_view<const glm::u16vec4> table, const moment_table& of, image_view<const glm::vec3> receivers,
+                int radius, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    constexpr auto function = "visibility";
     detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
     detail::require(table.size.x >= 4 && table.size.x % 2 == 0 && table.size.y >= 2, function, "table.size",
                     "that of a table of make_moment_table", table.size);
@@ -18127,7 +18128,32 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 //     float visibility = filter.decode(blurred, receiver);
 //
 
-namespace umbrage::prefilters {
+namespace umbrage {
+
+/// Depths to texels, and visibility from a mean of texels: all that functions over images ask for.
+template <class Prefilter>
+concept prefilter = std::copyable<Prefilter> && requires(const Prefilter& p, float depth) {
+    typename Prefilter::texel;
+    { p.encode(depth) } -> std::same_as<typename Prefilter::texel>;
+    { p.decode(typename Prefilter::texel{}, depth) } -> std::same_as<float>;
+    { p.direction } -> std::convertible_to<depth_direction>;
+};
+
+namespace detail {
+
+/// Says in words what a type lacks that is used as a prefilter.
+template <class Prefilter>
+consteval bool is_prefilter() {
+    static_assert(!encoding<Prefilter>, "visibility from a map of an encoding takes a filter before `out`");
+    static_assert(encoding<Prefilter> || prefilter<Prefilter>,
+                  "an umbrage prefilter needs a type `texel`, `texel encode(float) const`, "
+                  "`float decode(texel, float receiver) const` and a `direction`");
+    return true;
+}
+
+}  // namespace detail
+
+namespace prefilters {
 
 /// Depth and its square: two floats of 32 bits. Light bleeds through behind casters that lie behind each other.
 struct vsm {
@@ -18253,7 +18279,8 @@ struct msm_hausdorff {
 
 using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
-}  // namespace umbrage::prefilters
+}  // namespace prefilters
+}  // namespace umbrage
 
 // ---- umbrage/images/prefilter.hpp
 // Whole prefiltered maps: depth to moments, their mip chain, and what an image of receivers sees of them.
@@ -18262,7 +18289,7 @@ using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 //     umbrage::image<glm::vec2> moments(depth.size()), blurred(depth.size());
 //     umbrage::encode_moments(depth, moments, filter);
 //     umbrage::blur(moments, blurred, umbrage::make_gaussian_kernel(7, 1.5f));
-//     umbrage::look_up(blurred, receivers, filter, visibility);
+//     umbrage::visibility(blurred, filter, receivers, out);
 //
 
 namespace umbrage {
@@ -18379,6 +18406,33 @@ UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_pla
     }
 }
 
+template <class Prefilter, class Receivers, class ParallelFor>
+void decode_image(image_view<const typename Prefilter::texel> map, const Prefilter& filter, const Receivers& receivers,
+                  image_view<float> out, ParallelFor&& parallel, outside_map outside) {
+    static_assert(is_prefilter<Prefilter>());
+    require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
+    require(!map.empty(), "visibility", "map.size", "above 0", map.size);
+    if (out.empty()) return;
+    const bool forward = filter.direction == depth_direction::forward;
+    parallel(out.size.y, [&](int first, int last) {
+        on_best_isa_without_fma([&](auto set) UMBRAGE_INLINE {
+            bilinear_block<typename Prefilter::texel> of_block;
+            alignas(64) float depths[block], visibility[block];
+            const Prefilter own = filter;  // in registers
+            for (block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
+                use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
+                    of_block.place(r, map.size, forward, outside);
+                    for (int i = 0; i < block; ++i) depths[i] = r.z(i);
+                });
+                of_block.fetch(map);
+                decode_block(own, of_block.means, depths, visibility);
+                for (int i = 0; i < block; ++i) visibility[i] = select(of_block.compared[i], visibility[i], 1.0f);
+                copy_floats(out.row(at.y) + at.x, visibility, at.count());
+            }
+        });
+    });
+}
+
 }  // namespace detail
 
 /// @param depth      any values; clamped to [0, 1], NaN counts as far
@@ -18439,39 +18493,37 @@ template <class Texel, class ParallelFor = serial>
     return make_mip_chain(texels.view(), levels, parallel);
 }
 
-/// @param texels     a prefiltered map, blurred
-/// @param receivers  (x, y) in texels of the map, z depth, biased: an image of vec3, receiver_planes, depth_receivers
+/// Visibility from a prefiltered map.
+///
+/// @param map        of the filter's texels, blurred
 /// @param filter     as encode_moments had it
+/// @param receivers  (x, y) in texels of the map, z depth, biased
 /// @param out        visibility, 1 lit; same size as receivers
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @param outside    bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, or the map is empty
 /// @exactness        the filter's decode of fetch_bilinear, bit for bit; who is not compared is lit
-template <class Prefilter, class Receivers, class ParallelFor = serial>
-void look_up(image_view<const typename Prefilter::texel> texels, const Receivers& receivers, const Prefilter& filter,
-             image_view<float> out, ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    detail::require_size(out.size, detail::size_of(receivers, "look_up"), "look_up", "out.size", "the receivers' size");
-    detail::require(!texels.empty(), "look_up", "texels.size", "above 0", texels.size);
-    if (out.empty()) return;
-    const bool forward = filter.direction == depth_direction::forward;
-    parallel(out.size.y, [&](int first, int last) {
-        detail::on_best_isa_without_fma([&](auto set) UMBRAGE_INLINE {
-            detail::bilinear_block<typename Prefilter::texel> of_block;
-            alignas(64) float depths[detail::block], visibility[detail::block];
-            const Prefilter own = filter;  // in registers
-            for (detail::block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
-                detail::use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
-                    of_block.place(r, texels.size, forward, outside);
-                    for (int i = 0; i < detail::block; ++i) depths[i] = r.z(i);
-                });
-                of_block.fetch(texels);
-                detail::decode_block(own, of_block.means, depths, visibility);
-                for (int i = 0; i < detail::block; ++i)
-                    visibility[i] = detail::select(of_block.compared[i], visibility[i], 1.0f);
-                detail::copy_floats(out.row(at.y) + at.x, visibility, at.count());
-            }
-        });
-    });
+template <class Prefilter, class ParallelFor = serial>
+void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
+                image_view<const glm::vec3> receivers, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    detail::decode_image(map, filter, receivers, out, parallel, outside);
+}
+
+/// Receivers as a structure of arrays.
+template <class Prefilter, class ParallelFor = serial>
+void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
+                const receiver_planes& receivers, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    detail::decode_image(map, filter, receivers, out, parallel, outside);
+}
+
+/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
+template <class Prefilter, class ParallelFor = serial>
+void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
+                const depth_receivers& receivers, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    detail::decode_image(map, filter, receivers, out, parallel, outside);
 }
 
 }  // namespace umbrage
@@ -18669,7 +18721,7 @@ void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh,
 //
 //     umbrage::variance_table of{.bits = 11, .radius = 16};
 //     umbrage::image<glm::u16vec4> table = umbrage::make_variance_table(map, of);
-//     umbrage::summed_visibility(table, of, receivers, 16, out);
+//     umbrage::visibility(table, of, receivers, 16, out);
 //
 // A box of 33 x 33 texels costs what one of 3 x 3 does.
 
@@ -18733,7 +18785,8 @@ template <class ParallelFor = serial>
     return table;
 }
 
-/// summed_variance of each receiver.
+/// Visibility from a table: summed_variance of each receiver.
+///
 /// @param table, of   from make_variance_table
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param radius      of the box, at most the table's
@@ -18741,10 +18794,10 @@ template <class ParallelFor = serial>
 /// @param outside     bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, a table without texels, or a radius below 0 or above the table's
 template <class ParallelFor = serial>
-void summed_visibility(image_view<const glm::u16vec4> table, const variance_table& of,
-                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
-                       ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    constexpr auto function = "summed_visibility";
+void visibility(image_view<const glm::u16vec4> table, const variance_table& of, image_view<const glm::vec3> receivers,
+                int radius, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    constexpr auto function = "visibility";
     detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
     detail::require(table.size.x >= 2 && table.size.y >= 2, function, "table.size", "2 x 2 or more", table.size);
     if (radius < 0 || radius > of.radius)

@@ -49,8 +49,9 @@ void add_row(const Filter& filter, const Peer& peer) {
                     [=] {
                         umbrage::encode_moments(std::as_const(s->depth).view(), s->moments.view(), filter);
                         umbrage::blur(s->moments.view(), s->blurred.view(), s->kernel);
-                        umbrage::look_up(std::as_const(s->blurred).view(), std::as_const(s->receivers).view(), filter,
-                                         s->ours.view(), umbrage::serial{}, umbrage::outside_map::clamped);
+                        umbrage::visibility(std::as_const(s->blurred).view(), filter,
+                                            std::as_const(s->receivers).view(), s->ours.view(), umbrage::serial{},
+                                            umbrage::outside_map::clamped);
                     },
                 .theirs =
                     [=] {
@@ -74,8 +75,8 @@ void add_boxes(const std::string& name, const Of& of, umbrage::image<glm::u16vec
     const auto s = std::make_shared<state>(state{of, std::move(table)});
     const auto boxes = [s](int radius) {
         return [=] {
-            umbrage::summed_visibility(std::as_const(s->table).view(), s->of, std::as_const(s->receivers).view(),
-                                       radius, s->out.view(), umbrage::serial{}, umbrage::outside_map::clamped);
+            umbrage::visibility(std::as_const(s->table).view(), s->of, std::as_const(s->receivers).view(), radius,
+                                s->out.view(), umbrage::serial{}, umbrage::outside_map::clamped);
         };
     };
     bench::add({.work = name + ": box of 33 x 33, 1920 x 1080",

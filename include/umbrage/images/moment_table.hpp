@@ -4,7 +4,7 @@
 //
 //     umbrage::moment_table of{.radius = 16};
 //     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, of);
-//     umbrage::summed_visibility(table, of, receivers, 16, out);
+//     umbrage::visibility(table, of, receivers, 16, out);
 //
 // A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
 #pragma once
@@ -75,7 +75,8 @@ template <class ParallelFor = serial>
     return table;
 }
 
-/// summed_moments of each receiver.
+/// Visibility from a table: summed_moments of each receiver.
+///
 /// @param table, of   from make_moment_table
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param radius      of the box, at most the table's
@@ -83,10 +84,10 @@ template <class ParallelFor = serial>
 /// @param outside     bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
 template <class ParallelFor = serial>
-void summed_visibility(image_view<const glm::u16vec4> table, const moment_table& of,
-                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
-                       ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    constexpr auto function = "summed_visibility";
+void visibility(image_view<const glm::u16vec4> table, const moment_table& of, image_view<const glm::vec3> receivers,
+                int radius, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    constexpr auto function = "visibility";
     detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
     detail::require(table.size.x >= 4 && table.size.x % 2 == 0 && table.size.y >= 2, function, "table.size",
                     "that of a table of make_moment_table", table.size);

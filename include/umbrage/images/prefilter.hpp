@@ -6,7 +6,7 @@
 //     umbrage::image<glm::vec2> moments(depth.size()), blurred(depth.size());
 //     umbrage::encode_moments(depth, moments, filter);
 //     umbrage::blur(moments, blurred, umbrage::make_gaussian_kernel(7, 1.5f));
-//     umbrage::look_up(blurred, receivers, filter, visibility);
+//     umbrage::visibility(blurred, filter, receivers, out);
 //
 #pragma once
 
@@ -145,6 +145,33 @@ UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_pla
     }
 }
 
+template <class Prefilter, class Receivers, class ParallelFor>
+void decode_image(image_view<const typename Prefilter::texel> map, const Prefilter& filter, const Receivers& receivers,
+                  image_view<float> out, ParallelFor&& parallel, outside_map outside) {
+    static_assert(is_prefilter<Prefilter>());
+    require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
+    require(!map.empty(), "visibility", "map.size", "above 0", map.size);
+    if (out.empty()) return;
+    const bool forward = filter.direction == depth_direction::forward;
+    parallel(out.size.y, [&](int first, int last) {
+        on_best_isa_without_fma([&](auto set) UMBRAGE_INLINE {
+            bilinear_block<typename Prefilter::texel> of_block;
+            alignas(64) float depths[block], visibility[block];
+            const Prefilter own = filter;  // in registers
+            for (block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
+                use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
+                    of_block.place(r, map.size, forward, outside);
+                    for (int i = 0; i < block; ++i) depths[i] = r.z(i);
+                });
+                of_block.fetch(map);
+                decode_block(own, of_block.means, depths, visibility);
+                for (int i = 0; i < block; ++i) visibility[i] = select(of_block.compared[i], visibility[i], 1.0f);
+                copy_floats(out.row(at.y) + at.x, visibility, at.count());
+            }
+        });
+    });
+}
+
 }  // namespace detail
 
 /// @param depth      any values; clamped to [0, 1], NaN counts as far
@@ -205,39 +232,37 @@ template <class Texel, class ParallelFor = serial>
     return make_mip_chain(texels.view(), levels, parallel);
 }
 
-/// @param texels     a prefiltered map, blurred
-/// @param receivers  (x, y) in texels of the map, z depth, biased: an image of vec3, receiver_planes, depth_receivers
+/// Visibility from a prefiltered map.
+///
+/// @param map        of the filter's texels, blurred
 /// @param filter     as encode_moments had it
+/// @param receivers  (x, y) in texels of the map, z depth, biased
 /// @param out        visibility, 1 lit; same size as receivers
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @param outside    bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, or the map is empty
 /// @exactness        the filter's decode of fetch_bilinear, bit for bit; who is not compared is lit
-template <class Prefilter, class Receivers, class ParallelFor = serial>
-void look_up(image_view<const typename Prefilter::texel> texels, const Receivers& receivers, const Prefilter& filter,
-             image_view<float> out, ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    detail::require_size(out.size, detail::size_of(receivers, "look_up"), "look_up", "out.size", "the receivers' size");
-    detail::require(!texels.empty(), "look_up", "texels.size", "above 0", texels.size);
-    if (out.empty()) return;
-    const bool forward = filter.direction == depth_direction::forward;
-    parallel(out.size.y, [&](int first, int last) {
-        detail::on_best_isa_without_fma([&](auto set) UMBRAGE_INLINE {
-            detail::bilinear_block<typename Prefilter::texel> of_block;
-            alignas(64) float depths[detail::block], visibility[detail::block];
-            const Prefilter own = filter;  // in registers
-            for (detail::block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
-                detail::use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
-                    of_block.place(r, texels.size, forward, outside);
-                    for (int i = 0; i < detail::block; ++i) depths[i] = r.z(i);
-                });
-                of_block.fetch(texels);
-                detail::decode_block(own, of_block.means, depths, visibility);
-                for (int i = 0; i < detail::block; ++i)
-                    visibility[i] = detail::select(of_block.compared[i], visibility[i], 1.0f);
-                detail::copy_floats(out.row(at.y) + at.x, visibility, at.count());
-            }
-        });
-    });
+template <class Prefilter, class ParallelFor = serial>
+void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
+                image_view<const glm::vec3> receivers, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    detail::decode_image(map, filter, receivers, out, parallel, outside);
+}
+
+/// Receivers as a structure of arrays.
+template <class Prefilter, class ParallelFor = serial>
+void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
+                const receiver_planes& receivers, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    detail::decode_image(map, filter, receivers, out, parallel, outside);
+}
+
+/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
+template <class Prefilter, class ParallelFor = serial>
+void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
+                const depth_receivers& receivers, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    detail::decode_image(map, filter, receivers, out, parallel, outside);
 }
 
 }  // namespace umbrage

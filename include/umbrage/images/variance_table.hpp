@@ -4,7 +4,7 @@
 //
 //     umbrage::variance_table of{.bits = 11, .radius = 16};
 //     umbrage::image<glm::u16vec4> table = umbrage::make_variance_table(map, of);
-//     umbrage::summed_visibility(table, of, receivers, 16, out);
+//     umbrage::visibility(table, of, receivers, 16, out);
 //
 // A box of 33 x 33 texels costs what one of 3 x 3 does.
 #pragma once
@@ -83,7 +83,8 @@ template <class ParallelFor = serial>
     return table;
 }
 
-/// summed_variance of each receiver.
+/// Visibility from a table: summed_variance of each receiver.
+///
 /// @param table, of   from make_variance_table
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param radius      of the box, at most the table's
@@ -91,10 +92,10 @@ template <class ParallelFor = serial>
 /// @param outside     bordered: outside the map all is lit; clamped: as at its edge
 /// @throws std::invalid_argument  sizes differ, a table without texels, or a radius below 0 or above the table's
 template <class ParallelFor = serial>
-void summed_visibility(image_view<const glm::u16vec4> table, const variance_table& of,
-                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
-                       ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    constexpr auto function = "summed_visibility";
+void visibility(image_view<const glm::u16vec4> table, const variance_table& of, image_view<const glm::vec3> receivers,
+                int radius, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    constexpr auto function = "visibility";
     detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
     detail::require(table.size.x >= 2 && table.size.y >= 2, function, "table.size", "2 x 2 or more", table.size);
     if (radius < 0 || radius > of.radius)

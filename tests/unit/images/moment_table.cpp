@@ -34,7 +34,7 @@ TEST_CASE("make_moment_table: in any pieces; refuses what could wrap, and takes 
     CHECK_THROWS_AS((void)make_moment_table(image_view<const float>(), {}), std::invalid_argument);
 }
 
-TEST_CASE("summed_visibility of moments: the primitive for each receiver") {
+TEST_CASE("visibility from a moment table: the primitive for each receiver") {
     image<float> map({90, 70});
     std::mt19937 random(9);
     for (float& d : map.texels()) d = static_cast<float>(random() % 65536) / 65536.0f;
@@ -46,8 +46,8 @@ TEST_CASE("summed_visibility of moments: the primitive for each receiver") {
             for (int x = 0; x < 80; ++x)
                 receivers[{x, y}] = {float(x) * 1.3f - 5.0f, float(y) * 1.3f - 5.0f, 0.2f + float(x + y) / 200.0f};
         image<float> out(receivers.size()), at_edge(receivers.size());
-        summed_visibility(table.view(), of, receivers.view(), 9, out.view(), last_piece_first{5});
-        summed_visibility(table.view(), of, receivers.view(), 9, at_edge.view(), serial{}, outside_map::clamped);
+        visibility(table.view(), of, receivers.view(), 9, out.view(), last_piece_first{5});
+        visibility(table.view(), of, receivers.view(), 9, at_edge.view(), serial{}, outside_map::clamped);
         int wrong = 0, outside = 0;
         for (int y = 0; y < 60; ++y)
             for (int x = 0; x < 80; ++x) {
@@ -64,13 +64,13 @@ TEST_CASE("summed_visibility of moments: the primitive for each receiver") {
         CHECK(wrong == 0);
         CHECK(outside > 100);
         const auto with_radius = [&](int radius) {
-            summed_visibility(table.view(), of, receivers.view(), radius, out.view());
+            visibility(table.view(), of, receivers.view(), radius, out.view());
         };
         CHECK_THROWS_AS(with_radius(10), std::invalid_argument);
         CHECK_THROWS_AS(with_radius(-1), std::invalid_argument);
         image<float> other({80, 61});
-        CHECK_THROWS_AS(summed_visibility(table.view(), of, receivers.view(), 1, other.view()), std::invalid_argument);
-        CHECK_THROWS_AS(summed_visibility(image_view<const glm::u16vec4>(), of, receivers.view(), 1, out.view()),
+        CHECK_THROWS_AS(visibility(table.view(), of, receivers.view(), 1, other.view()), std::invalid_argument);
+        CHECK_THROWS_AS(visibility(image_view<const glm::u16vec4>(), of, receivers.view(), 1, out.view()),
                         std::invalid_argument);
     }
 }

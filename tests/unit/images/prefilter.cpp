@@ -9,6 +9,10 @@
 #include <stdexcept>
 
 #include <umbrage/images/blur.hpp>
+#include <umbrage/images/moment_table.hpp>
+#include <umbrage/images/plane_visibility.hpp>
+#include <umbrage/images/variance_table.hpp>
+#include <umbrage/images/visibility.hpp>
 
 #include "../fusing.hpp"
 
@@ -34,7 +38,34 @@ bool same(const image<Texel>& a, const image<Texel>& b) {
     return std::equal(a.texels().begin(), a.texels().end(), b.texels().begin());
 }
 
+/// Whether visibility takes these arguments.
+template <class... Args>
+constexpr bool takes = requires(Args... args) {
+    visibility(args...);
+};
+
 }  // namespace
+
+TEST_CASE("visibility: each kind of map has one overload; calls that mix two kinds do not compile") {
+    using receivers = image<glm::vec3>&;
+    using out = image<float>&;
+    using moments = image<glm::vec2>&;
+    using table = image<glm::u16vec4>&;
+    CHECK(takes<out, depth32f, receivers, filters::hard, out>);
+    CHECK(takes<moments, prefilters::vsm, receivers, out>);
+    CHECK(takes<moments, prefilters::vsm, receiver_planes, out, serial, outside_map>);
+    CHECK(takes<table, moment_table, receivers, int, out>);
+    CHECK(takes<table, variance_table, receivers, int, out>);
+    CHECK_FALSE(takes<table, moment_table, receivers, out>);  // no radius
+    CHECK_FALSE(takes<moments, prefilters::vsm, sloped_receivers, out>);
+    CHECK_FALSE(takes<moments, moment_table, receivers, int, out>);
+    CHECK_FALSE(takes<moments, prefilters::evsm4, receivers, out>);
+    prefilters::all::for_each([](auto filter) {
+        CHECK(prefilter<decltype(filter)>);
+        CHECK_FALSE(encoding<decltype(filter)>);
+    });
+    CHECK_FALSE(prefilter<depth32f>);
+}
 
 TEST_CASE("prefilter: encoded, blurred, looked up, bit for bit as texel by texel, in any pieces") {
     std::mt19937 random(23);
@@ -61,11 +92,11 @@ TEST_CASE("prefilter: encoded, blurred, looked up, bit for bit as texel by texel
                 wrong += moments.texels()[i] != filter.encode(depth.texels()[i]);
             blur(moments, blurred, make_binomial_kernel<5>());
             image<float> lit(receivers.size()), again(receivers.size()), at_edge(receivers.size());
-            look_up(std::as_const(blurred).view(), std::as_const(receivers).view(), filter, lit.view());
-            look_up(std::as_const(blurred).view(), std::as_const(receivers).view(), filter, at_edge.view(), serial{},
-                    outside_map::clamped);
-            look_up(std::as_const(blurred).view(), std::as_const(receivers).view(), filter, again.view(),
-                    rows_from_last{});
+            visibility(std::as_const(blurred).view(), filter, std::as_const(receivers).view(), lit.view());
+            visibility(std::as_const(blurred).view(), filter, std::as_const(receivers).view(), at_edge.view(), serial{},
+                       outside_map::clamped);
+            visibility(std::as_const(blurred).view(), filter, std::as_const(receivers).view(), again.view(),
+                       rows_from_last{});
             CHECK(same(lit, again));
             for (std::size_t i = 0; i < lit.texels().size(); ++i) {
                 const glm::vec3 r = receivers.texels()[i];
@@ -84,20 +115,43 @@ TEST_CASE("prefilter: a map that is cleared lights all, one caster shadows what 
     prefilters::all::for_each([&](auto filter) {
         using texel = typename decltype(filter)::texel;
         const image<float> cleared({8, 8}, 1.0f), caster({8, 8}, 0.25f);
-        const auto visibility = [&](const image<float>& depth, float receiver) {
+        const auto lit_at = [&](const image<float>& depth, float receiver) {
             image<texel> moments({8, 8}), blurred({8, 8});
             encode_moments(depth.view(), moments.view(), filter);
             blur(moments, blurred, make_gaussian_kernel(7, 1.5f));
             image<glm::vec3> receivers({1, 1}, glm::vec3(4.3f, 3.9f, receiver));
             image<float> lit({1, 1});
-            look_up(std::as_const(blurred).view(), std::as_const(receivers).view(), filter, lit.view());
+            visibility(std::as_const(blurred).view(), filter, std::as_const(receivers).view(), lit.view());
             return lit[{0, 0}];
         };
         CAPTURE(filter.name);
-        CHECK(visibility(cleared, 0.9f) > 0.999f);
-        CHECK(visibility(caster, 0.2f) > 0.999f);
-        CHECK(visibility(caster, 0.75f) < 0.001f);
+        CHECK(lit_at(cleared, 0.9f) > 0.999f);
+        CHECK(lit_at(caster, 0.2f) > 0.999f);
+        CHECK(lit_at(caster, 0.75f) < 0.001f);
     });
+}
+
+TEST_CASE("visibility from a prefiltered map: receivers in planes and from a depth image, as in an image of vec3s") {
+    std::mt19937 random(24);
+    const image<float> depth = random_depths(random, {37, 21}), seen = random_depths(random, {70, 9});
+    const prefilters::vsm filter;
+    image<glm::vec2> moments(depth.size());
+    encode_moments(depth, moments, filter);
+    const depth_receivers from_depth{seen.view(), glm::mat4(0.5f), 0.01f};
+    image<glm::vec3> receivers(seen.size());
+    image<float> x(seen.size()), y(seen.size()), z(seen.size());
+    for (glm::ivec2 p{0}; p.y < seen.size().y; ++p.y)
+        for (p.x = 0; p.x < seen.size().x; ++p.x) {
+            receivers[p] = receiver_at(from_depth, p);
+            x[p] = receivers[p].x, y[p] = receivers[p].y, z[p] = receivers[p].z;
+        }
+    image<float> wanted(seen.size()), of_planes(seen.size()), of_depth(seen.size());
+    visibility(moments, filter, receivers, wanted);
+    visibility(moments, filter, receiver_planes{x, y, z}, of_planes);
+    visibility(moments, filter, from_depth, of_depth);
+    CHECK(std::ranges::count_if(wanted.texels(), [](float lit) { return lit < 1.0f; }) > 50);
+    CHECK(same(of_planes, wanted));
+    if (!may_fuse) CHECK(same(of_depth, wanted));
 }
 
 TEST_CASE("make_mip_chain: means of fours, down to one") {
@@ -120,7 +174,7 @@ TEST_CASE("prefilter: sizes that differ, empty maps") {
     image<float> small({2, 2}), large({3, 2}), none;
     const image<glm::vec3> receivers({2, 2});
     CHECK_THROWS_AS(encode_moments(small.view(), large.view(), filter), std::invalid_argument);
-    CHECK_THROWS_AS(look_up(small.view(), receivers.view(), filter, large.view()), std::invalid_argument);
-    CHECK_THROWS_AS(look_up(none.view(), receivers.view(), filter, small.view()), std::invalid_argument);
+    CHECK_THROWS_AS(visibility(small.view(), filter, receivers.view(), large.view()), std::invalid_argument);
+    CHECK_THROWS_AS(visibility(none.view(), filter, receivers.view(), small.view()), std::invalid_argument);
     CHECK_NOTHROW(encode_moments(none.view(), none.view(), filter));
 }

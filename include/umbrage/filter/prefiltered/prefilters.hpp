@@ -9,12 +9,39 @@
 //
 #pragma once
 
+#include <concepts>
 #include <string_view>
 
 #include <umbrage/core/list.hpp>
+#include <umbrage/depth/encoding.hpp>
 #include <umbrage/filter/prefiltered/look_up.hpp>
 
-namespace umbrage::prefilters {
+namespace umbrage {
+
+/// Depths to texels, and visibility from a mean of texels: all that functions over images ask for.
+template <class Prefilter>
+concept prefilter = std::copyable<Prefilter> && requires(const Prefilter& p, float depth) {
+    typename Prefilter::texel;
+    { p.encode(depth) } -> std::same_as<typename Prefilter::texel>;
+    { p.decode(typename Prefilter::texel{}, depth) } -> std::same_as<float>;
+    { p.direction } -> std::convertible_to<depth_direction>;
+};
+
+namespace detail {
+
+/// Says in words what a type lacks that is used as a prefilter.
+template <class Prefilter>
+consteval bool is_prefilter() {
+    static_assert(!encoding<Prefilter>, "visibility from a map of an encoding takes a filter before `out`");
+    static_assert(encoding<Prefilter> || prefilter<Prefilter>,
+                  "an umbrage prefilter needs a type `texel`, `texel encode(float) const`, "
+                  "`float decode(texel, float receiver) const` and a `direction`");
+    return true;
+}
+
+}  // namespace detail
+
+namespace prefilters {
 
 /// Depth and its square: two floats of 32 bits. Light bleeds through behind casters that lie behind each other.
 struct vsm {
@@ -140,4 +167,5 @@ struct msm_hausdorff {
 
 using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
-}  // namespace umbrage::prefilters
+}  // namespace prefilters
+}  // namespace umbrage

@@ -112,6 +112,13 @@ TEST_CASE("messages: of images") {
     says("visibility", "filter.is_lit.direction", "forward", [&] {
         visibility(map.view(), depth32f{depth_direction::reversed}, receivers.view(), filters::hard{}, map.view());
     });
+    says("visibility", "map.size", "0 x 0", [&] { visibility(image<glm::vec2>(), prefilters::vsm{}, receivers, map); });
+    says("visibility", "out.size", differ, [&] { visibility(moments, prefilters::vsm{}, receivers, small); });
+    says("visibility", "table.size", "0 x 0",
+         [&] { visibility(image<glm::u16vec4>(), moment_table{}, receivers, 1, map); });
+    says("visibility", "radius", "17", [&] {
+        visibility(image<glm::u16vec4>({2, 2}), variance_table{}, receivers, 17, map);
+    });
     says("summed_area", "sums.size", differ, [&] { summed_area(map.view(), small.view()); });
     says("blur", "to.size", differ, [&] { blur(map.view(), small.view(), make_gaussian_kernel(3, 1)); });
     says("blur", "kernel.weights", "none", [&] { blur(map.view(), map.view(), blur_kernel{}); });
