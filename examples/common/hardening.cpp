@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <umbrage/depth/depth32f.hpp>
+#include <umbrage/filter/filters.hpp>
 #include <umbrage/images/visibility.hpp>
 
 namespace example {

@@ -4406,12 +4406,6 @@ struct rotated_disc {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-/// The same result; for images of receivers it first asks, for all texels within reach, whether they are all lit or all
-/// in shadow. Pays off for large radii, and where shadows have more inside than border.
-///
-///     umbrage::filters::hierarchical_disc filter{umbrage::filters::disc<32>};
-struct hierarchical_disc : rotated_disc {};
-
 template <int Points>
 inline constexpr rotated_disc disc{Points, 2.0f, {}, glsl::disc<Points>.name, &glsl::disc<Points>};
 
@@ -5637,23 +5631,6 @@ struct box {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
-/// Pays off for large radii, and where shadows have more inside than border.
-struct hierarchical_box {
-    static constexpr std::string_view name = "hierarchical_box";
-    static constexpr const glsl::snippet* snippet = &glsl::box;
-
-    int radius = 1;  ///< clamped to 0..8
-    comparison is_lit{};
-
-    [[nodiscard]] constexpr float reach() const { return box{radius}.reach(); }
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius, is_lit);
-    }
-    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
-};
-
 }  // namespace filters
 }  // namespace umbrage
 
@@ -6790,12 +6767,6 @@ struct window {
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
-
-/// The same result; for images of receivers it first asks, for all texels of the window, whether they are all lit or
-/// all in shadow. Pays off for large windows, and where shadows have more inside than border.
-///
-///     umbrage::filters::hierarchical_window filter{umbrage::filters::binomial<7>};
-struct hierarchical_window : window {};
 
 template <int Size>
 inline constexpr window tent{tent_row<Size>, {}, glsl::tent<Size>.name, &glsl::tent<Size>};
@@ -10318,7 +10289,7 @@ private:
 
 namespace umbrage::filters {
 
-using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box, window, rotated_disc>;
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, rotated_disc>;
 
 /// Beside them those that know the light's size: their maps hold z/w.
 using soft = list_of<pcss, dpcf>;
@@ -14080,10 +14051,11 @@ template <real T>
 // The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
 // none is called receiver by receiver.
 //
-// A form states what it needs of a map and the smallest width and height that it can take; with_blocks() hands its
-// blocks to `use`. Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs
-// floats, it gets const float_texels&. A form clamps texels to the map's edge; visibility() filters again what may
-// lie outside a bordered map, by the filter's reach().
+// A form states what it needs of a map and the smallest width and height that it can take. with_blocks() hands its
+// blocks to `use`; it gets the size of the receivers' image, by which it may choose them, as hierarchical.hpp does.
+// Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs floats, it gets
+// const float_texels&. A form clamps texels to the map's edge; visibility() filters again what may lie outside a
+// bordered map, by the filter's reach().
 //
 // Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
 // where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
@@ -14103,7 +14075,7 @@ template <real T>
 //         static constexpr map_need need = map_need::texels;
 //         static constexpr int least = 2;
 //         template <depth_direction Direction, class Map, class ParallelFor, class Use>
-//         static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+//         static void with_blocks(const Map& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&, const Use& use) {
 //             use(pcf_2x2_blocks<Direction, Map>{map});
 //         }
 //     };
@@ -14119,6 +14091,10 @@ enum class map_need {
 
 template <class Filter>
 struct block_form;
+
+/// The form of a filter that compares every texel, where hierarchical.hpp has another beside it.
+template <class Filter>
+struct every_texel_form;
 
 /// Of blocks that leave nothing for later: a row.
 struct one_row {
@@ -14795,11 +14771,12 @@ private:
 };
 
 template <>
-struct block_form<filters::box> {
+struct every_texel_form<filters::box> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::box& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const filters::box& filter, glm::ivec2, ParallelFor&&,
+                            const Use& use) {
         use(box_blocks<Direction>{map.map, clamp_int(filter.radius, max_box_radius)});
     }
 };
@@ -15081,11 +15058,11 @@ private:
 };
 
 template <>
-struct block_form<filters::rotated_disc> {
+struct every_texel_form<filters::rotated_disc> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, ParallelFor&&,
+    static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, glm::ivec2, ParallelFor&&,
                             const Use& use) {
         const disc_table taps(points_of_disc(filter.points).begin(), filter.points, filter.radius_texels);
         use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
@@ -15156,7 +15133,7 @@ struct block_form<filters::hard> {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 1;
     template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::hard&, ParallelFor&&, const Use& use) {
+    static void with_blocks(const Map& map, const filters::hard&, glm::ivec2, ParallelFor&&, const Use& use) {
         use(hard_blocks<Direction, Map>{map});
     }
 };
@@ -15207,7 +15184,8 @@ struct block_form<filters::four_tap> {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 1;
     template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::four_tap& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const Map& map, const filters::four_tap& filter, glm::ivec2, ParallelFor&&,
+                            const Use& use) {
         use(four_tap_blocks<Direction, Map>{map, filter.offsets});
     }
 };
@@ -15388,11 +15366,12 @@ private:
 };
 
 template <>
-struct block_form<filters::window> {
+struct every_texel_form<filters::window> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::window& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const filters::window& filter, glm::ivec2, ParallelFor&&,
+                            const Use& use) {
         const window_table weights(filter.row);
         use(window_blocks<Direction>{map.map, filter.row, weights});
     }
@@ -15401,11 +15380,12 @@ struct block_form<filters::window> {
 }  // namespace umbrage::detail
 
 // ---- umbrage/images/blocks/hierarchical.hpp
-// Filters over many texels for receivers most of which are wholly lit or wholly in shadow: those ask one number for all
-// of them. visibility() does it for filters::hierarchical_box, hierarchical_window and hierarchical_disc, which give
-// bit for bit what filters::box, window and rotated_disc do.
+// Filters over many texels for receivers most of which are wholly lit or wholly in shadow. Those read the bounds of all
+// their texels, one number each, and only the rest read every texel. The result is the same, bit for bit.
 //
-//     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
+// visibility() evaluates filters::box, window and rotated_disc so where bounds_pay().
+//
+//     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::box{8}, out);
 //
 
 namespace umbrage::detail {
@@ -15587,51 +15567,63 @@ struct hierarchical_disc_blocks {
     }
 };
 
-template <>
-struct block_form<filters::hierarchical_box> {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
+/// Texels that a filter reads in a row, at most.
+[[nodiscard]] inline int width_of(const filters::box& filter) {
+    return 2 * clamp_int(filter.radius, max_box_radius) + 1;
+}
+[[nodiscard]] inline int width_of(const filters::window& filter) { return filter.row.touched(); }
+[[nodiscard]] inline int width_of(const filters::rotated_disc& filter) {
+    return reached_texels(filter.reach()).count();
+}
+
+/// Whether an image is filtered in less time by bounds, with the pass over the map that makes them.
+///
+/// Neighbors in the image of receivers should be near each other in the map: discs of random receivers lose (0.6).
+/// @param width   texels that the filter reads in a row
+// Gain for 2048 x 2048 texels and 1920 x 1080 receivers, shadow_render's scene and a floor with boxes. Box of radius 2:
+// 1.2, 0.9; 3: 1.4, 1.1; 4: 4.4, 3.5; 8: 1.7, 4.0. castano<5>: 2.0, 1.5; castano<7>: 2.4, 1.7. disc<16> of radius 4:
+// 4.3, 3.8; 8: 1.2, 2.9; 16: 1.3, 0.8. At 2.5 texels a receiver, box of radius 3: 1.2, 1.0; at 16, radius 4: 1.4, 1.3.
+[[nodiscard]] inline bool bounds_pay(int width, glm::ivec2 map, glm::ivec2 receivers) {
+    if (map.x < block) return false;            // bounds come in whole blocks: they would outgrow the map
+    if (width < 6 || width > 17) return false;  // narrower: as cheap; wider: their texels mostly differ
+    const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+    // From 9 on, bounds are of squares of 4 x 4, not 2 x 2, and take 0.9 ms to make, not 2.1.
+    return area(map) <= (width < 9 ? 2.5 : 16.0) * area(receivers);
+}
+
+/// The form of a filter that asks bounds first, whether it pays or not.
+template <class Filter>
+struct hierarchical_form : every_texel_form<Filter> {
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::hierarchical_box& filter, ParallelFor&& parallel,
+    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2 receivers, ParallelFor&& parallel,
                             const Use& use) {
-        const box_blocks<Direction> every_texel{map.map, clamp_int(filter.radius, max_box_radius)};
-        if (map.map.size.x < block) return use(every_texel);  // bounds come in whole blocks: they would outgrow the map
-        const box_bounds tree(map.map, 2 * every_texel.radius + 1, parallel);
-        use(hierarchical_blocks<box_blocks<Direction>>{tree, every_texel});
+        const box_bounds tree(map.map, width_of(filter), parallel);
+        every_texel_form<Filter>::template with_blocks<Direction>(
+            map, filter, receivers, parallel, [&]<class Blocks>(const Blocks& every_texel) {
+                if constexpr (std::is_same_v<Filter, filters::rotated_disc>)
+                    use(hierarchical_disc_blocks<Direction>{tree, every_texel, reached_texels(filter.reach())});
+                else use(hierarchical_blocks<Blocks>{tree, every_texel});
+            });
     }
 };
 
-template <>
-struct block_form<filters::hierarchical_window> {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
+/// The form that takes less time.
+template <class Filter>
+struct faster_form : every_texel_form<Filter> {
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::hierarchical_window& filter, ParallelFor&& parallel,
+    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2 receivers, ParallelFor&& parallel,
                             const Use& use) {
-        const window_table weights(filter.row);
-        const window_blocks<Direction> every_texel{map.map, filter.row, weights};
-        if (map.map.size.x < block) return use(every_texel);
-        const box_bounds tree(map.map, filter.row.touched(), parallel);
-        use(hierarchical_blocks<window_blocks<Direction>>{tree, every_texel});
+        if (bounds_pay(width_of(filter), map.map.size, receivers))
+            hierarchical_form<Filter>::template with_blocks<Direction>(map, filter, receivers, parallel, use);
+        else every_texel_form<Filter>::template with_blocks<Direction>(map, filter, receivers, parallel, use);
     }
 };
-
 template <>
-struct block_form<filters::hierarchical_disc> {
-    static constexpr map_need need = map_need::floats;
-    static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::hierarchical_disc& filter, ParallelFor&& parallel,
-                            const Use& use) {
-        using plain = block_form<filters::rotated_disc>;
-        plain::with_blocks<Direction>(map, filter, parallel, [&](const disc_blocks<Direction>& every_point) {
-            if (map.map.size.x < block) return use(every_point);
-            const reached_texels reached(filter.reach());
-            const box_bounds tree(map.map, reached.count(), parallel);
-            use(hierarchical_disc_blocks<Direction>{tree, every_point, reached});
-        });
-    }
-};
+struct block_form<filters::box> : faster_form<filters::box> {};
+template <>
+struct block_form<filters::window> : faster_form<filters::window> {};
+template <>
+struct block_form<filters::rotated_disc> : faster_form<filters::rotated_disc> {};
 
 }  // namespace umbrage::detail
 
@@ -15695,7 +15687,7 @@ struct block_form<filters::pcf_2x2> {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 2;
     template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+    static void with_blocks(const Map& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&, const Use& use) {
         use(pcf_2x2_blocks<Direction, Map>{map});
     }
 };
@@ -15828,7 +15820,7 @@ struct soft_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2, ParallelFor&&, const Use& use) {
         using blocks = soft_blocks<Direction, Filter>;
         const disc_table turned = blocks::turned_points(filter);
         use(blocks(map.map, turned, filter));
@@ -16065,8 +16057,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
         };
         const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (filter.is_lit.direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
+                form::template with_blocks<depth_direction::forward>(texels, filter, out.size, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
         });
         if (!done) filter_each(receivers, filter, has_border ? bordered : erase(clamped_map), out, parallel);
     } else if (outside == outside_map::bordered) {
@@ -17944,9 +17936,9 @@ concept has_plane_form = requires {
 };
 
 template <>
-struct plane_form<filters::window> : block_form<filters::window> {};
+struct plane_form<filters::window> : every_texel_form<filters::window> {};
 template <>
-struct plane_form<filters::rotated_disc> : block_form<filters::rotated_disc> {};
+struct plane_form<filters::rotated_disc> : every_texel_form<filters::rotated_disc> {};
 template <>
 struct plane_form<filters::pcss> : block_form<filters::pcss> {};
 template <>
@@ -17958,7 +17950,8 @@ struct plane_form<filters::pcf_2x2> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 2;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&,
+                            const Use& use) {
         constexpr window_row one = make_window_row(1, {1.0f});
         const window_table weights(one);
         use(window_blocks<Direction>{map.map, one, weights});
@@ -17970,7 +17963,7 @@ struct plane_box_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2, ParallelFor&&, const Use& use) {
         int radius = 0;
         if constexpr (requires { filter.radius; }) radius = clamp_int(filter.radius, max_box_radius);
         use(plane_box_blocks<Direction>{map.map, radius});
@@ -17980,8 +17973,6 @@ template <>
 struct plane_form<filters::hard> : plane_box_form<filters::hard> {};
 template <>
 struct plane_form<filters::box> : plane_box_form<filters::box> {};
-template <>
-struct plane_form<filters::hierarchical_box> : plane_box_form<filters::hierarchical_box> {};
 
 }  // namespace umbrage::detail
 
@@ -18104,8 +18095,8 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
         };
         done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
+                form::template with_blocks<depth_direction::forward>(texels, filter, out.size, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
         });
     }
     const auto by_itself = [&](const auto& fetch) {

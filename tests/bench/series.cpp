@@ -24,6 +24,7 @@
 #include <umbrage/images/summed_area.hpp>
 #include <umbrage/images/visibility.hpp>
 
+#include "../forced_form.hpp"
 #include "curves.hpp"
 #include "data.hpp"
 #include "peers/depth_pass.hpp"
@@ -168,8 +169,8 @@ void box_over_kernel_size(measurements& m) {
     };
     for (int radius = 0; radius <= 8; ++radius) {
         add("every texel", "umbrage", radius, [&, radius] {
-            umbrage::visibility(map, f32, receivers, umbrage::filters::box{radius}, ours, umbrage::serial{},
-                                umbrage::outside_map::clamped);
+            umbrage::visibility(map, f32, receivers, forced::every_texel{umbrage::filters::box{radius}}, ours,
+                                umbrage::serial{}, umbrage::outside_map::clamped);
         });
         add(
             "every texel", "GLM code", radius,
@@ -178,7 +179,7 @@ void box_over_kernel_size(measurements& m) {
         add(
             "hierarchical, bounds included", "umbrage", radius,
             [&, radius] {
-                umbrage::visibility(map, f32, receivers, umbrage::filters::hierarchical_box{radius}, other,
+                umbrage::visibility(map, f32, receivers, forced::by_bounds{umbrage::filters::box{radius}}, other,
                                     umbrage::serial{}, umbrage::outside_map::clamped);
             },
             [&] { return std::ranges::equal(ours.texels(), other.texels()); });

@@ -8,6 +8,7 @@
 
 #include <umbrage/images/visibility.hpp>
 
+#include "../forced_form.hpp"
 #include "bench.hpp"
 #include "data.hpp"
 #include "default_scene.hpp"
@@ -190,19 +191,19 @@ const bench::registration rows([] {
     against_clamped("disc of 16, turned", disc);
     against_clamped("PCSS, 16 blockers and 16 taps", soft);
     const auto scene = std::make_shared<bench::shadowed_scene>(bench::default_scene(8));
-    bench::add({.work = "box 17 x 17, hierarchical, default scene, bounds too",
-                .peer = "ours, brute force",
+    bench::add({.work = "box 17 x 17, default scene",
+                .peer = "ours, every texel",
                 .at_least = 6,
                 .items = bench::pixels,
                 .ours =
                     [=] {
-                        umbrage::visibility(scene->map, f32, scene->receivers, umbrage::filters::hierarchical_box{8},
-                                            s->ours, umbrage::serial{}, umbrage::outside_map::clamped);
+                        umbrage::visibility(scene->map, f32, scene->receivers, box{8}, s->ours, umbrage::serial{},
+                                            umbrage::outside_map::clamped);
                     },
                 .theirs =
                     [=] {
-                        umbrage::visibility(scene->map, f32, scene->receivers, box{8}, s->other, umbrage::serial{},
-                                            umbrage::outside_map::clamped);
+                        umbrage::visibility(scene->map, f32, scene->receivers, forced::every_texel{box{8}}, s->other,
+                                            umbrage::serial{}, umbrage::outside_map::clamped);
                     },
                 .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); }});
 #ifdef UMBRAGE_BENCH_LLVMPIPE

@@ -124,8 +124,8 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
         };
         done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
+                form::template with_blocks<depth_direction::forward>(texels, filter, out.size, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
         });
     }
     const auto by_itself = [&](const auto& fetch) {

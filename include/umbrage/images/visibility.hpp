@@ -234,8 +234,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
         };
         const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (filter.is_lit.direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
+                form::template with_blocks<depth_direction::forward>(texels, filter, out.size, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
         });
         if (!done) filter_each(receivers, filter, has_border ? bordered : erase(clamped_map), out, parallel);
     } else if (outside == outside_map::bordered) {

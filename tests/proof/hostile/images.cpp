@@ -23,6 +23,7 @@
 #include <umbrage/images/summed_area.hpp>
 #include <umbrage/images/visibility.hpp>
 
+#include "../../forced_form.hpp"
 #include "raster.hpp"
 
 namespace {
@@ -82,8 +83,7 @@ struct suite : raster_suite {
     template <class Encoding, class Filter>
     void visibility_of(const std::string& name, Encoding encoding, Filter filter) const {
         constexpr bool adds = std::is_same_v<Filter, filters::four_tap>;
-        constexpr bool box = std::is_same_v<Filter, filters::box>;
-        constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
+        constexpr bool box = std::is_base_of_v<filters::box, Filter>;
         const auto map_of = maps(encoding);
         const auto receivers_of = receivers(adds);
         run<float>(
@@ -111,7 +111,7 @@ struct suite : raster_suite {
                 const laid_out<glm::vec3> in(from, parallel.count % 3);
                 visibility(map.view(), encoding, in.view(), filter, out, parallel, outside_map::clamped);
             },
-            box || hierarchical ? agree::in_a_mode : agree::everywhere);
+            box ? agree::in_a_mode : agree::everywhere);
     }
 
     void pyramid() const {
@@ -228,10 +228,11 @@ void suite::all() const {
     visibility_of("pcf_2x2_depth32f", depth32f{}, filters::pcf_2x2{});
     visibility_of("pcf_2x2_rgb24", rgb24{}, filters::pcf_2x2{});
     for (const int radius : {0, 1, 2, 3, 5, 8})
-        visibility_of("box" + std::to_string(radius) + "_depth32f", depth32f{}, filters::box{radius});
-    visibility_of("box2_rg11", rg<11>{}, filters::box{2});
+        visibility_of("box" + std::to_string(radius) + "_depth32f", depth32f{},
+                      forced::every_texel{filters::box{radius}});
+    visibility_of("box2_rg11", rg<11>{}, forced::every_texel{filters::box{2}});
     for (const int radius : {1, 8})
-        visibility_of("hierarchical" + std::to_string(radius), depth32f{}, filters::hierarchical_box{radius});
+        visibility_of("hierarchical" + std::to_string(radius), depth32f{}, forced::by_bounds{filters::box{radius}});
 #endif
 
     pyramid();

@@ -9,8 +9,7 @@
 #include <string>
 
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/filter/blocker/dpcf.hpp>
-#include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/filter/filters.hpp>
 #include <umbrage/images/plane_visibility.hpp>
 
 namespace {

@@ -154,22 +154,5 @@ struct box {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
-/// Pays off for large radii, and where shadows have more inside than border.
-struct hierarchical_box {
-    static constexpr std::string_view name = "hierarchical_box";
-    static constexpr const glsl::snippet* snippet = &glsl::box;
-
-    int radius = 1;  ///< clamped to 0..8
-    comparison is_lit{};
-
-    [[nodiscard]] constexpr float reach() const { return box{radius}.reach(); }
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius, is_lit);
-    }
-    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
-};
-
 }  // namespace filters
 }  // namespace umbrage

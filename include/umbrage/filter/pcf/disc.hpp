@@ -274,12 +274,6 @@ struct rotated_disc {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-/// The same result; for images of receivers it first asks, for all texels within reach, whether they are all lit or all
-/// in shadow. Pays off for large radii, and where shadows have more inside than border.
-///
-///     umbrage::filters::hierarchical_disc filter{umbrage::filters::disc<32>};
-struct hierarchical_disc : rotated_disc {};
-
 template <int Points>
 inline constexpr rotated_disc disc{Points, 2.0f, {}, glsl::disc<Points>.name, &glsl::disc<Points>};
 

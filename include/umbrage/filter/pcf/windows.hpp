@@ -225,12 +225,6 @@ struct window {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-/// The same result; for images of receivers it first asks, for all texels of the window, whether they are all lit or
-/// all in shadow. Pays off for large windows, and where shadows have more inside than border.
-///
-///     umbrage::filters::hierarchical_window filter{umbrage::filters::binomial<7>};
-struct hierarchical_window : window {};
-
 template <int Size>
 inline constexpr window tent{tent_row<Size>, {}, glsl::tent<Size>.name, &glsl::tent<Size>};
 template <int Size>

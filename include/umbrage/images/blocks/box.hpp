@@ -221,11 +221,12 @@ private:
 };
 
 template <>
-struct block_form<filters::box> {
+struct every_texel_form<filters::box> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::box& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const filters::box& filter, glm::ivec2, ParallelFor&&,
+                            const Use& use) {
         use(box_blocks<Direction>{map.map, clamp_int(filter.radius, max_box_radius)});
     }
 };

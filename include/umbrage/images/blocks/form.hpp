@@ -3,10 +3,11 @@
 // The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
 // none is called receiver by receiver.
 //
-// A form states what it needs of a map and the smallest width and height that it can take; with_blocks() hands its
-// blocks to `use`. Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs
-// floats, it gets const float_texels&. A form clamps texels to the map's edge; visibility() filters again what may
-// lie outside a bordered map, by the filter's reach().
+// A form states what it needs of a map and the smallest width and height that it can take. with_blocks() hands its
+// blocks to `use`; it gets the size of the receivers' image, by which it may choose them, as hierarchical.hpp does.
+// Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs floats, it gets
+// const float_texels&. A form clamps texels to the map's edge; visibility() filters again what may lie outside a
+// bordered map, by the filter's reach().
 //
 // Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
 // where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
@@ -26,7 +27,7 @@
 //         static constexpr map_need need = map_need::texels;
 //         static constexpr int least = 2;
 //         template <depth_direction Direction, class Map, class ParallelFor, class Use>
-//         static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+//         static void with_blocks(const Map& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&, const Use& use) {
 //             use(pcf_2x2_blocks<Direction, Map>{map});
 //         }
 //     };
@@ -43,6 +44,10 @@ enum class map_need {
 
 template <class Filter>
 struct block_form;
+
+/// The form of a filter that compares every texel, where hierarchical.hpp has another beside it.
+template <class Filter>
+struct every_texel_form;
 
 /// Of blocks that leave nothing for later: a row.
 struct one_row {

@@ -50,7 +50,8 @@ struct block_form<filters::four_tap> {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 1;
     template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::four_tap& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const Map& map, const filters::four_tap& filter, glm::ivec2, ParallelFor&&,
+                            const Use& use) {
         use(four_tap_blocks<Direction, Map>{map, filter.offsets});
     }
 };

@@ -69,7 +69,7 @@ struct block_form<filters::hard> {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 1;
     template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::hard&, ParallelFor&&, const Use& use) {
+    static void with_blocks(const Map& map, const filters::hard&, glm::ivec2, ParallelFor&&, const Use& use) {
         use(hard_blocks<Direction, Map>{map});
     }
 };

@@ -67,7 +67,7 @@ struct block_form<filters::pcf_2x2> {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 2;
     template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+    static void with_blocks(const Map& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&, const Use& use) {
         use(pcf_2x2_blocks<Direction, Map>{map});
     }
 };

@@ -126,9 +126,9 @@ concept has_plane_form = requires {
 };
 
 template <>
-struct plane_form<filters::window> : block_form<filters::window> {};
+struct plane_form<filters::window> : every_texel_form<filters::window> {};
 template <>
-struct plane_form<filters::rotated_disc> : block_form<filters::rotated_disc> {};
+struct plane_form<filters::rotated_disc> : every_texel_form<filters::rotated_disc> {};
 template <>
 struct plane_form<filters::pcss> : block_form<filters::pcss> {};
 template <>
@@ -140,7 +140,8 @@ struct plane_form<filters::pcf_2x2> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 2;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&,
+                            const Use& use) {
         constexpr window_row one = make_window_row(1, {1.0f});
         const window_table weights(one);
         use(window_blocks<Direction>{map.map, one, weights});
@@ -152,7 +153,7 @@ struct plane_box_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2, ParallelFor&&, const Use& use) {
         int radius = 0;
         if constexpr (requires { filter.radius; }) radius = clamp_int(filter.radius, max_box_radius);
         use(plane_box_blocks<Direction>{map.map, radius});
@@ -162,7 +163,5 @@ template <>
 struct plane_form<filters::hard> : plane_box_form<filters::hard> {};
 template <>
 struct plane_form<filters::box> : plane_box_form<filters::box> {};
-template <>
-struct plane_form<filters::hierarchical_box> : plane_box_form<filters::hierarchical_box> {};
 
 }  // namespace umbrage::detail

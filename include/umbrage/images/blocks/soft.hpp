@@ -137,7 +137,7 @@ struct soft_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2, ParallelFor&&, const Use& use) {
         using blocks = soft_blocks<Direction, Filter>;
         const disc_table turned = blocks::turned_points(filter);
         use(blocks(map.map, turned, filter));

@@ -186,11 +186,12 @@ private:
 };
 
 template <>
-struct block_form<filters::window> {
+struct every_texel_form<filters::window> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::window& filter, ParallelFor&&, const Use& use) {
+    static void with_blocks(const float_texels& map, const filters::window& filter, glm::ivec2, ParallelFor&&,
+                            const Use& use) {
         const window_table weights(filter.row);
         use(window_blocks<Direction>{map.map, filter.row, weights});
     }

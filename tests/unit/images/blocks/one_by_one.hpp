@@ -8,7 +8,10 @@
 #include <functional>
 #include <map>
 
+#include <umbrage/filter/filters.hpp>
 #include <umbrage/images/visibility.hpp>
+
+#include "../../../forced_form.hpp"
 
 namespace paths {
 

@@ -49,14 +49,15 @@ TEST_CASE("visibility: whole blocks inside the map, and rows that collide in the
         check_coherent(umbrage::depth32f{}, umbrage::filters::pcf_2x2{}, map_size);
         check_coherent(umbrage::rg<11>{}, umbrage::filters::pcf_2x2{}, map_size);
         for (int radius : {0, 1, 2, 3, 4, 6, 8}) {
-            check_coherent(umbrage::depth32f{}, umbrage::filters::box{radius}, map_size);
-            check_coherent(umbrage::depth32f{}, umbrage::filters::hierarchical_box{radius}, map_size);
-            check_coherent(umbrage::rg<16>{}, umbrage::filters::box{radius}, map_size);
+            const forced::every_texel box{umbrage::filters::box{radius}};
+            check_coherent(umbrage::depth32f{}, box, map_size);
+            check_coherent(umbrage::depth32f{}, forced::by_bounds{umbrage::filters::box{radius}}, map_size);
+            check_coherent(umbrage::rg<16>{}, box, map_size);
             // From the far corner of the map on: as near to it as eight lanes can be loaded for every row, and one
             // texel on.
             for (const float beyond : {7.5f, 6.5f}) {
                 const auto corner = glm::vec2(map_size - radius) - glm::vec2(beyond, 0.5f);
-                check_coherent(umbrage::depth32f{}, umbrage::filters::box{radius}, map_size, corner, {-1.03f, -1.7f});
+                check_coherent(umbrage::depth32f{}, box, map_size, corner, {-1.03f, -1.7f});
             }
         }
     }
@@ -64,11 +65,11 @@ TEST_CASE("visibility: whole blocks inside the map, and rows that collide in the
 
 TEST_CASE("visibility: windows, and discs of all radii, in whole blocks inside the map") {
     for (const umbrage::filters::window& filter : umbrage::filters::window::values)
-        check_coherent(umbrage::depth32f{}, filter, {600, 61});
+        check_coherent(umbrage::depth32f{}, forced::every_texel{filter}, {600, 61});
     for (umbrage::filters::rotated_disc filter : umbrage::filters::rotated_disc::values)
         for (const float radius : {0.0f, 0.4f, 3.2f, 5.3f, 300.0f}) {
             filter.radius_texels = radius;
-            check_coherent(umbrage::depth32f{}, filter, {600, 61});
+            check_coherent(umbrage::depth32f{}, forced::every_texel{filter}, {600, 61});
         }
 }
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <string>
 
-#include <umbrage/images/blocks/hierarchical.hpp>
 #include <umbrage/images/blocks/soft.hpp>
 
 namespace {
@@ -70,15 +69,15 @@ void check_in_both_directions(Filter filter) {
 
 TEST_CASE("visibility: in a band around the edges each filter sees the far plane outside") {
     umbrage::for_each_filter([](const auto& filter) { check_in_both_directions(filter); });
-    for (const int radius : {1, 4, 8}) check_in_both_directions(umbrage::filters::box{radius});
+    for (const int radius : {1, 4, 8}) check_in_both_directions(forced::every_texel{umbrage::filters::box{radius}});
 }
 
-TEST_CASE("visibility: in a band around the edges hierarchical forms see the far plane outside") {
-    check_in_both_directions(umbrage::filters::hierarchical_box{5});
-    check_in_both_directions(umbrage::filters::hierarchical_window{umbrage::filters::castano<7>});
+TEST_CASE("visibility: in a band around the edges filters by bounds see the far plane outside") {
+    check_in_both_directions(forced::by_bounds{umbrage::filters::box{5}});
+    check_in_both_directions(forced::by_bounds{umbrage::filters::castano<7>});
     umbrage::filters::rotated_disc disc = umbrage::filters::disc<32>;
     disc.radius_texels = 6.5f;
-    check_in_both_directions(umbrage::filters::hierarchical_disc{disc});
+    check_in_both_directions(forced::by_bounds{disc});
 }
 
 TEST_CASE("visibility: in a band around the edges contact hardening sees the far plane outside") {
