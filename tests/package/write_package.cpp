@@ -210,6 +210,7 @@ int main(int argc, char** argv) {
     if (argc != 3) return 2;
     try {
         const std::filesystem::path templates = argv[1], folder = argv[2];
+        std::filesystem::remove_all(folder / "shaders");  // those of snippets that are no more, too
         package::write_shaders(folder / "shaders", package::copyright(templates / "../../LICENSE"));
         const std::string module = package::filled(
             templates / "umbrage.mjs.in", {{"@version@", package::version}, {"@data@", package::module_data()}});

@@ -99,7 +99,7 @@ void suite::wide_channels() const {
         const std::uint32_t bits = hostile::unorm_bits(s.below(most + 1), most);
         return from_bits(bits > 0 ? bits + s.below(3) - 1 : 0);
     };
-    const auto tens = [read](source& s) { return glm::vec3(read(s, 1023), read(s, 1023), read(s, 1023)); };
+    const auto tens = [read](source& s) { return glm::vec3{read(s, 1023), read(s, 1023), read(s, 1023)}; };
     const auto short_and_edge = [read](source& s) {
         const float c = read(s, 65535);
         return glm::vec2(c, s.edge());
