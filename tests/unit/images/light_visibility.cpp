@@ -28,9 +28,9 @@ using namespace umbrage;
 namespace {
 
 constexpr glm::vec3 lamp(0.5f, 2, -0.25f);
-constexpr clip_space forward = cpu_clip_space;
-constexpr clip_space reversed = [] {
-    clip_space clip = forward;
+constexpr clip_space forward_clip = cpu_clip_space;
+constexpr clip_space reversed_clip = [] {
+    clip_space clip = forward_clip;
     clip.direction = depth_direction::reversed;
     return clip;
 }();
@@ -104,7 +104,7 @@ const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 
 }  // namespace
 
 TEST_CASE("visibility of a light's maps: cascades") {
-    for (const clip_space clip : {forward, reversed}) {
+    for (const clip_space clip : {forward_clip, reversed_clip}) {
         const cascade_fit<float> fit{.camera = {.position = {0, 1, 6}, .direction = {0, 0, -1}},
                                      .direction = {0.3f, -1, -0.2f},
                                      .scene = {glm::vec3(-6), glm::vec3(6)},
@@ -122,7 +122,7 @@ TEST_CASE("visibility of a light's maps: cascades") {
 }
 
 TEST_CASE("visibility of a light's maps: a cube") {
-    for (const clip_space clip : {forward, reversed}) {
+    for (const clip_space clip : {forward_clip, reversed_clip}) {
         const point_light<float> light{
             .position = lamp, .z_near = 0.1f, .z_far = 20, .map_size = 48, .border = 3, .clip = clip};
         const auto faces = make_point_light(light);
@@ -144,7 +144,7 @@ TEST_CASE("visibility of a light's maps: a cube") {
 
 TEST_CASE("visibility of a light's maps: a tetrahedron") {
     const tetrahedron_light<float> light{
-        .position = lamp, .z_near = 0.1f, .z_far = 20, .map_size = 128, .border = 3, .clip = forward};
+        .position = lamp, .z_near = 0.1f, .z_far = 20, .map_size = 128, .border = 3, .clip = forward_clip};
     const auto faces = make_tetrahedron_light(light);
     check(light, 128, {1, 1}, depth_direction::forward, [&](glm::vec3 world, const auto& filter, const auto& tile) {
         const auto face = static_cast<std::size_t>(tetrahedron_face(world - lamp));
@@ -157,7 +157,7 @@ TEST_CASE("visibility of a light's maps: a tetrahedron") {
 }
 
 TEST_CASE("visibility of a light's maps: two paraboloids") {
-    for (const clip_space clip : {forward, reversed}) {
+    for (const clip_space clip : {forward_clip, reversed_clip}) {
         const dual_paraboloid_light<float> light{
             .position = lamp, .range = 20, .map_size = 96, .border = 3, .clip = clip};
         check(light, 96, {2, 1}, clip.direction, [&](glm::vec3 world, const auto& filter, const auto& tile) {
@@ -176,7 +176,7 @@ TEST_CASE("visibility of a light's maps: two paraboloids") {
 }
 
 TEST_CASE("visibility of a light's maps: bad input") {
-    const point_light<float> light{.position = lamp, .map_size = 16, .clip = forward};
+    const point_light<float> light{.position = lamp, .map_size = 16, .clip = forward_clip};
     const auto complaint = [&](glm::ivec2 texels, glm::ivec2 out_size, const point_light<float>& of) -> std::string {
         const image<float> map(texels);
         const image<glm::vec3> at({4, 4});
@@ -189,6 +189,6 @@ TEST_CASE("visibility of a light's maps: bad input") {
     CHECK(complaint({48, 32}, {4, 4}, light).empty());
     CHECK(complaint({48, 48}, {4, 4}, light).starts_with("umbrage::visibility: map.texels.size "));
     CHECK(complaint({48, 32}, {4, 5}, light).starts_with("umbrage::visibility: out.size "));
-    CHECK(complaint({48, 32}, {4, 4}, {.position = lamp, .map_size = 16, .border = 8, .clip = forward})
+    CHECK(complaint({48, 32}, {4, 4}, {.position = lamp, .map_size = 16, .border = 8, .clip = forward_clip})
               .starts_with("umbrage::make_point_light: "));
 }
