@@ -50,7 +50,8 @@ struct stored_as {
     }
 
     [[nodiscard]] std::vector<glsl::snippet> writers() const {
-        return {*writer, to_unorm ? *to_unorm : glsl::to_unorm};
+        if (to_unorm) return {*writer, *to_unorm};
+        return {*writer};
     }
 
     /// Whether bytes and GLSL 100 are enough.

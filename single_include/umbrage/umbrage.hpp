@@ -134,7 +134,7 @@ inline error_handler set_error_handler(error_handler handler) {
 }  // namespace umbrage
 
 // ---- umbrage/core/check.hpp
-// How functions refuse bad input: one message for all, which names function, argument, condition and value.
+// Errors of bad input. All messages have one form: function, argument, condition, value and usual cause.
 //
 //     detail::require(map_size >= 1, "make_cascades", "map_size", "above 0", map_size);
 //     // umbrage::make_cascades: map_size must be above 0; got 0
@@ -308,7 +308,7 @@ struct snippet {
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
 
-/// What a snippet promises in a word, e.g. "A", "B, n = 6", "C, within 1/128".
+/// Short form of a snippet's promise, e.g. "A", "B, n = 6", "C, within 1/128".
 [[nodiscard]] inline std::string promise(const snippet& s) {
     if (s.exactness == tier::a) return "A";
     std::string text = s.exactness == tier::b ? "B, " : "C, ";
@@ -403,7 +403,7 @@ enum class depth_range { unset, zero_to_one, minus_one_to_one };  ///< of z/w be
 enum class depth_direction { forward, reversed };                 ///< reversed: the near plane has the greater depth
 enum class texture_origin { bottom, top };                        ///< where texel (0, 0) is: at NDC y = -1, or y = +1
 
-/// What a texel outside the map counts as.
+/// Treatment of texels outside the map.
 enum class outside_map {
     bordered,  ///< the far plane, as under a border sampler: all outside the map is lit. The default of whole maps
     clamped,   ///< the nearest texel inside: what tiles with a gutter and faces of cubes want
@@ -938,7 +938,7 @@ requires unorm_bits<Bits>
     return c;
 }
 
-/// What a UNORM render target stores of a written value: C++ only, the target is the twin.
+/// Rounding of a UNORM render target's store. It has no snippet: in a shader the target itself stores.
 enum class unorm_store { rounds, truncates };
 
 /// @param c     any value; clamped to [0, 1], NaN stores 0 as graphics interfaces ask
@@ -958,7 +958,7 @@ requires unorm_bits<Bits>
     return channels;
 }
 
-/// What sampling gives back of stored channels.
+/// Values that sampling gives for stored channels: k / n.
 template <int Bits = 8, real T = float, glm::length_t L>
 requires unorm_bits<Bits>
 [[nodiscard]] constexpr glm::vec<L, T> load_unorm(glm::vec<L, unorm_channel<Bits>> channels) {
@@ -968,133 +968,113 @@ requires unorm_bits<Bits>
 }
 
 namespace glsl {
+namespace detail {
+
+/// A comment and a function's text four times: with float, vec2, vec3 and vec4 in place of $t.
+[[nodiscard]] inline std::string overloads(std::string_view comment, std::string_view function) {
+    std::string text(comment);
+    for (const std::string_view type : {"float", "vec2", "vec3", "vec4"}) append(text, function, {{'t', 0, type}});
+    return text;
+}
+
+}  // namespace detail
 
 inline constexpr snippet to_unorm{
     .name = "to_unorm",
     .summary = "channel 0..255 to the value an 8-bit target stores as it",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
 // k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
-UMBRAGE_HIGHP float umbrage_to_unorm(UMBRAGE_HIGHP float k) {
-    return k * 0.0039215087890625 + 0.0009765625;
-}
-UMBRAGE_HIGHP vec2 umbrage_to_unorm(UMBRAGE_HIGHP vec2 k) {
-    return k * 0.0039215087890625 + 0.0009765625;
-}
-UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
-    return k * 0.0039215087890625 + 0.0009765625;
-}
-UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
-    return k * 0.0039215087890625 + 0.0009765625;
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_to_unorm(UMBRAGE_HIGHP $t k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet from_unorm{
     .name = "from_unorm",
     .summary = "value read from an 8-bit texture to channel 0..255",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
-UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
-    return floor(c * 255.0 + 0.5);
-}
-UMBRAGE_HIGHP vec2 umbrage_from_unorm(UMBRAGE_HIGHP vec2 c) {
-    return floor(c * 255.0 + 0.5);
-}
-UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
-    return floor(c * 255.0 + 0.5);
-}
-UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
-    return floor(c * 255.0 + 0.5);
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_from_unorm(UMBRAGE_HIGHP $t c) {
+    return floor(c * 255.0 + 0.5);
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet to_unorm10{
     .name = "to_unorm10",
     .summary = "channel 0..1023 to the value a 10-bit target stores as it",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
 // k * 4099 / 4194304 + 1056 / 4194304
-UMBRAGE_HIGHP float umbrage_to_unorm10(UMBRAGE_HIGHP float k) {
-    return k * 0.0009772777557373046875 + 0.00025177001953125;
-}
-UMBRAGE_HIGHP vec2 umbrage_to_unorm10(UMBRAGE_HIGHP vec2 k) {
-    return k * 0.0009772777557373046875 + 0.00025177001953125;
-}
-UMBRAGE_HIGHP vec3 umbrage_to_unorm10(UMBRAGE_HIGHP vec3 k) {
-    return k * 0.0009772777557373046875 + 0.00025177001953125;
-}
-UMBRAGE_HIGHP vec4 umbrage_to_unorm10(UMBRAGE_HIGHP vec4 k) {
-    return k * 0.0009772777557373046875 + 0.00025177001953125;
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_to_unorm10(UMBRAGE_HIGHP $t k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet from_unorm10{
     .name = "from_unorm10",
     .summary = "value read from a 10-bit texture to channel 0..1023",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
-UMBRAGE_HIGHP float umbrage_from_unorm10(UMBRAGE_HIGHP float c) {
-    return floor(c * 1023.0 + 0.5);
-}
-UMBRAGE_HIGHP vec2 umbrage_from_unorm10(UMBRAGE_HIGHP vec2 c) {
-    return floor(c * 1023.0 + 0.5);
-}
-UMBRAGE_HIGHP vec3 umbrage_from_unorm10(UMBRAGE_HIGHP vec3 c) {
-    return floor(c * 1023.0 + 0.5);
-}
-UMBRAGE_HIGHP vec4 umbrage_from_unorm10(UMBRAGE_HIGHP vec4 c) {
-    return floor(c * 1023.0 + 0.5);
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_from_unorm10(UMBRAGE_HIGHP $t c) {
+    return floor(c * 1023.0 + 0.5);
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet to_unorm16{
     .name = "to_unorm16",
     .summary = "channel 0..65535 to the value a 16-bit target stores as it",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
-UMBRAGE_HIGHP float umbrage_to_unorm16(UMBRAGE_HIGHP float k) {
-    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
-}
-UMBRAGE_HIGHP vec2 umbrage_to_unorm16(UMBRAGE_HIGHP vec2 k) {
-    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
-}
-UMBRAGE_HIGHP vec3 umbrage_to_unorm16(UMBRAGE_HIGHP vec3 k) {
-    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
-}
-UMBRAGE_HIGHP vec4 umbrage_to_unorm16(UMBRAGE_HIGHP vec4 k) {
-    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_to_unorm16(UMBRAGE_HIGHP $t k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet from_unorm16{
     .name = "from_unorm16",
     .summary = "value read from a 16-bit texture to channel 0..65535",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
-UMBRAGE_HIGHP float umbrage_from_unorm16(UMBRAGE_HIGHP float c) {
-    return floor(c * 65535.0 + 0.5);
-}
-UMBRAGE_HIGHP vec2 umbrage_from_unorm16(UMBRAGE_HIGHP vec2 c) {
-    return floor(c * 65535.0 + 0.5);
-}
-UMBRAGE_HIGHP vec3 umbrage_from_unorm16(UMBRAGE_HIGHP vec3 c) {
-    return floor(c * 65535.0 + 0.5);
-}
-UMBRAGE_HIGHP vec4 umbrage_from_unorm16(UMBRAGE_HIGHP vec4 c) {
-    return floor(c * 65535.0 + 0.5);
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_from_unorm16(UMBRAGE_HIGHP $t c) {
+    return floor(c * 65535.0 + 0.5);
+}
+)GLSL");
+        },
 };
 
 inline constexpr const snippet* unorm_snippets[]{&to_unorm,     &from_unorm, &to_unorm10,
@@ -1104,8 +1084,8 @@ inline constexpr const snippet* unorm_snippets[]{&to_unorm,     &from_unorm, &to
 }  // namespace umbrage
 
 // ---- umbrage/depth/render_target.hpp
-// What a map's texture keeps of the values that a shader writes into it: bits a channel, channels, and how texels lie
-// in memory. An encoding names its target; tools, tables and shaders ask that.
+// Render targets for encoded depths: bits per channel, channels, format, and how texels lie in memory. An encoding
+// names its target; tools, tables and shaders take these facts from there.
 //
 //     using target = umbrage::unorm_target<8, 2>;  // RG8
 //     glm::u8vec2 texel = target::store(umbrage::to_unorm(glm::vec2(channels)), umbrage::unorm_store::rounds);
@@ -1142,9 +1122,10 @@ using unorm_texel = std::conditional_t<Channels == 1, unorm_channel<Bits>,
 
 }  // namespace detail
 
-/// UNORM channels of 8 or 16 bits.
+/// UNORM channels of 8 or 16 bits; 10 bits have the one form below.
 template <int Bits, int Channels>
 struct unorm_target {
+    static_assert(Bits == 8 || Bits == 16, "of 10 bits a channel there is unorm_target<10, 3> alone");
     using texel = detail::unorm_texel<Bits, Channels>;
     static constexpr int bits = Bits, channels = Channels;
     static constexpr std::string_view formats[2][4]{{"R8", "RG8", "RGB8", "RGBA8"}, {"R16", "RG16", "RGB16", "RGBA16"}};
@@ -1157,11 +1138,11 @@ struct unorm_target {
         return store_unorm<Bits>(values, mode);
     }
     [[nodiscard]] static glm::vec4 load(texel t) {
-        glm::vec4 c(0);
-        if constexpr (Channels == 1) c.x = float(t) / float((1 << Bits) - 1);
+        glm::vec<4, unorm_channel<Bits>> all(0);
+        if constexpr (Channels == 1) all.x = t;
         else
-            for (int i = 0; i < Channels; ++i) c[i] = float(t[i]) / float((1 << Bits) - 1);
-        return c;
+            for (int i = 0; i < Channels; ++i) all[i] = t[i];
+        return load_unorm<Bits>(all);
     }
 };
 
@@ -2689,7 +2670,7 @@ inline constexpr bool is_image = false;
 template <class T>
 inline constexpr bool is_image<image<T>> = true;
 
-/// What functions over images take: an image, or a view of one.
+/// View of an image. A view stays as it is, so that functions take either.
 template <class Map>
 [[nodiscard]] auto view_of(Map& map) {
     if constexpr (is_image<std::remove_const_t<Map>>) return map.view();
@@ -2760,7 +2741,7 @@ template <class Map, class Texel = detail::texel_of<Map>>
 [[nodiscard]] bordered_map<Texel> bordered(const Map& map, std::type_identity_t<Texel> border) {
     return {detail::view_of(map), border};
 }
-/// Of depths that run forward, with 1, the far plane; of other texels bordered_texels.
+/// Fetch of a map of forward depth: outside it is 1, the far plane. Maps of other texels give bordered_texels.
 template <class Map, class Texel = detail::texel_of<Map>>
 [[nodiscard]] auto bordered(const Map& map) {
     if constexpr (std::is_floating_point_v<Texel>) return bordered(map, Texel(1));
@@ -2898,7 +2879,7 @@ template <real T, class Fetch, class Compare = less_equal>
     return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
 }
 
-/// Whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit.
+/// True when a receiver of a prefiltered map or a table lies in the map. Receivers elsewhere are lit.
 /// @param size      of the map, in texels
 /// @param outside   clamped: whatever the receiver, which then sees the map's edge
 /// @exactness       A
@@ -15874,22 +15855,26 @@ template <class Fetch>
     return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
 }
 
-/// The receivers whose texels may lie outside the map. Blocks clamp there: with a border these are filtered again.
-template <class Filter>
+/// The receivers whose texels may lie outside the map. Blocks clamp there: these receivers are filtered again.
+template <class Alone>
 class map_edge {
 public:
-    /// @param bordered   what fetches the map with its border; none: the edge clamps
-    map_edge(const Filter& filter, glm::ivec2 map_size, const erased_fetch* bordered)
-        : filter_(filter),
-          bordered_(bordered),
-          margin_(filter.reach() + 0.5f),  // weights are in steps of 1/256
+    /// @param alone        (coord, receiver, pixel) -> visibility of one receiver
+    /// @param reach        the filter's
+    /// @param blocks_err   false: what blocks give there is right
+    /// @param lit_beyond   whether a receiver is lit that reaches no texel of the map
+    map_edge(Alone alone, float reach, glm::ivec2 map_size, bool blocks_err, bool lit_beyond)
+        : alone_(alone),
+          margin_(reach + 0.5f),  // weights are in steps of 1/256
           size_(map_size),
+          blocks_err_(blocks_err),
+          lit_beyond_(lit_beyond),
           inside_(glm::vec2(margin_), size_ - margin_) {}
 
     /// Whether one of a block is among them.
     template <class Receivers>
     [[nodiscard]] UMBRAGE_INLINE bool meets(const Receivers& r) const {
-        return bordered_ && !inside_.holds(r);
+        return blocks_err_ && !inside_.holds(r);
     }
     /// Filters those of a block again.
     template <class Receivers>
@@ -15900,18 +15885,17 @@ public:
                 const glm::vec2 c(r.x(i), r.y(i));
                 if (c.x >= margin_ && c.y >= margin_ && c.x <= last.x && c.y <= last.y) continue;
                 const bool apart = c.x < -margin_ || c.y < -margin_ || c.x > beyond.x || c.y > beyond.y;
-                visibility[i] = apart && !is_nan(r.z(i))
-                                    ? 1.0f
-                                    : filtered(filter_, *bordered_, c, r.z(i), glm::ivec2(at.x + i, at.y));
+                visibility[i] =
+                    lit_beyond_ && apart && !is_nan(r.z(i)) ? 1.0f : alone_(c, r.z(i), glm::ivec2(at.x + i, at.y));
             }
         });
     }
 
 private:
-    const Filter& filter_;
-    const erased_fetch* bordered_;
+    Alone alone_;
     float margin_;
     glm::vec2 size_;
+    bool blocks_err_, lit_beyond_;
     receiver_rectangle inside_;
 };
 
@@ -16051,7 +16035,10 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
         using form = block_form<Filter>;
         const erased_fetch bordered = erase(bordered_map);
         const bool has_border = outside == outside_map::bordered;
-        const map_edge<Filter> edge(filter, map.size, has_border ? &bordered : nullptr);
+        const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+            return filtered(filter, bordered, coord, receiver, pixel);
+        };
+        const map_edge edge(alone, filter.reach(), map.size, has_border, has_border);
         const auto rows = [&](const auto& blocks) {
             parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
         };
@@ -18022,43 +18009,6 @@ UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_wa
     for (const auto* slope : {&from.slope_x, &from.slope_y}) prefetch(*slope, at);
 }
 
-/// Receivers near the map's edge are left to filter_planes.
-struct no_edge {
-    [[nodiscard]] UMBRAGE_INLINE bool meets(const auto&) const { return false; }
-    UMBRAGE_INLINE void filter_again(const auto&, const block_walk&, float*) const {}
-};
-
-/// The filter itself for receivers whose texels may lie outside the map, or for all.
-template <class Filter, class Fetch, class ParallelFor>
-void filter_planes(const sloped_receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& fetch,
-                   depth_direction direction, image_view<float> out, ParallelFor&& parallel, bool all) {
-    float margin = 0.0f;
-    if constexpr (requires { filter.reach(); }) margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
-    const glm::vec2 last = map_size - margin;
-    const auto inside = [&](glm::ivec2 p) {  // all of a block, as most are
-        const float *const x = receivers.at.x.row(p.y) + p.x, *const y = receivers.at.y.row(p.y) + p.x;
-        std::int32_t count = 0;
-        for (int i = 0; i < block; ++i)
-            count += std::int32_t(x[i] >= margin) & std::int32_t(y[i] >= margin) & std::int32_t(x[i] <= last.x) &
-                     std::int32_t(y[i] <= last.y);
-        return count == block;
-    };
-    parallel(out.size.y, [&](int begin, int end) {
-        for (glm::ivec2 p{0, begin}; p.y < end; ++p.y)
-            for (p.x = 0; p.x < out.size.x; ++p.x) {
-                if (!all && p.x % block == 0 && p.x + block <= out.size.x && inside(p)) {
-                    p.x += block - 1;
-                    continue;
-                }
-                const glm::vec2 c(receivers.at.x[p], receivers.at.y[p]);
-                if (!all && c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) continue;
-                const glm::vec2 slope(receivers.slope_x[p], receivers.slope_y[p]);
-                out[p] =
-                    filtered(filter, apply_receiver_plane(fetch, slope, c, direction), c, receivers.at.depth[p], p);
-            }
-    });
-}
-
 }  // namespace detail
 
 /// Visibility of receivers along their planes: of the filter over apply_receiver_plane(fetch, slope, coord), for each.
@@ -18084,14 +18034,23 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     if (out.empty()) return;
     const float cleared = detail::far_depth(encoding, filter);
     const depth_direction direction = cleared > 0.5f ? depth_direction::forward : depth_direction::reversed;
+    const bool has_border = outside == outside_map::bordered;
+    const auto clamped_map = decoded(clamped(map), encoding);
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
+    const detail::erased_fetch fetch = has_border ? detail::erase(bordered_map) : detail::erase(clamped_map);
+    const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+        const glm::vec2 slope(receivers.slope_x[pixel], receivers.slope_y[pixel]);
+        return detail::filtered(filter, apply_receiver_plane(fetch, slope, coord, direction), coord, receiver, pixel);
+    };
     bool done = false;
     if constexpr (detail::has_plane_form<Filter>) {
         using form = detail::plane_form<Filter>;
+        // a texel that is clamped keeps its own place on the plane
+        const detail::map_edge edge(alone, filter.reach(), map.size, true, has_border);
         const auto rows = [&]<class Blocks>(const Blocks& of) {
             const detail::plane_blocks<Blocks> blocks{of, cleared};
-            parallel(out.size.y, [&](int first, int last) {
-                detail::filter_rows(receivers, blocks, detail::no_edge{}, out, first, last);
-            });
+            parallel(out.size.y,
+                     [&](int first, int last) { detail::filter_rows(receivers, blocks, edge, out, first, last); });
         };
         done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (direction == depth_direction::forward)
@@ -18099,13 +18058,11 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
             else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
         });
     }
-    const auto by_itself = [&](const auto& fetch) {
-        detail::filter_planes(receivers, glm::vec2(map.size), filter, fetch, direction, out, parallel, !done);
-    };
-    const auto clamped_map = decoded(clamped(map), encoding);
-    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
-    if (outside == outside_map::bordered) by_itself(detail::erase(bordered_map));
-    else by_itself(detail::erase(clamped_map));
+    if (done) return;
+    detail::for_each_receiver(receivers, out, parallel,
+                              [&](float& visibility, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+                                  visibility = alone(coord, receiver, pixel);
+                              });
 }
 
 }  // namespace umbrage
@@ -19914,7 +19871,7 @@ bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
 }
 )GLSL"};
 
-inline constexpr snippet forward_beyond_far{
+inline constexpr snippet forward_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -19922,7 +19879,7 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet reversed_beyond_far{
+inline constexpr snippet reversed_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -19930,7 +19887,7 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet scaled_beyond_far{
+inline constexpr snippet scaled_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, scaled", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -19938,7 +19895,7 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet forward_before_far{
+inline constexpr snippet forward_within_far_plane{
     .name = "within_far_plane", .summary = "within_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -19946,7 +19903,7 @@ bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet reversed_before_far{
+inline constexpr snippet reversed_within_far_plane{
     .name = "within_far_plane", .summary = "within_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -20290,11 +20247,12 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 /// Every one of them, for printers and packages.
 inline constexpr const auto& all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &border_depth, &scaled_border_depth, &bordered_covers,
-         &clamped_covers, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far, &forward_before_far,
-         &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth,
-         &lit_texel, &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels,
-         &gathered, &gathered_region, &gathered_bordered, &gathered_bordered_region, &clamped_lit_filtered,
-         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &sampled_depth, &sampled_bordered_depth>;
+         &clamped_covers, &forward_beyond_far_plane, &reversed_beyond_far_plane, &scaled_beyond_far_plane,
+         &forward_within_far_plane, &reversed_within_far_plane, &forward_compare, &reversed_compare, &texel, &decode,
+         &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,
+         &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
+         &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
+         &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace umbrage::glsl::hooks
 
@@ -20327,9 +20285,11 @@ template <class = umbrage::detail::on_use>
         case hook::border_depth: return scaled ? hooks::scaled_border_depth : s;
         case hook::map_covers: return is_bordered(b) ? hooks::bordered_covers : hooks::clamped_covers;
         case hook::beyond_far_plane:
-            return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
+            return scaled    ? hooks::scaled_beyond_far_plane
+                   : forward ? hooks::forward_beyond_far_plane
+                             : hooks::reversed_beyond_far_plane;
         case hook::within_far_plane:
-            return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
+            return scaled ? s : forward ? hooks::forward_within_far_plane : hooks::reversed_within_far_plane;
         case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
         case hook::texel:
         case hook::fetch_depth:
@@ -20825,8 +20785,9 @@ private:
             for (const bound& item : items_) {
                 // No far plane for the shader's one map: a function, as a macro in two places confuses preprocessors of
                 // engines; and always, so that a file with such depths changes those that are pasted behind it.
-                if (of_map && keeps_macros(item) && &chosen(beyond_far_plane, item.map) == &hooks::scaled_beyond_far)
-                    add(hooks::scaled_beyond_far, item, of_map, use);
+                if (of_map && keeps_macros(item) &&
+                    &chosen(beyond_far_plane, item.map) == &hooks::scaled_beyond_far_plane)
+                    add(hooks::scaled_beyond_far_plane, item, of_map, use);
                 for (const snippet& need : item.map.needs) add(need, item, of_map, use);
                 for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
                 add(item.what, item, of_map, use);

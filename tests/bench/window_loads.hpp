@@ -38,8 +38,8 @@ private:
 inline void load_windows(umbrage::image_view<const float> map, umbrage::image_view<const glm::vec3> receivers,
                          const umbrage::window_row& row, umbrage::image_view<float> sums) {
     const umbrage::detail::window_table weights(row);
-    const umbrage::filters::window filter{row};
-    const umbrage::detail::map_edge edge(filter, map.size, nullptr);
+    const auto never = [](glm::vec2, float, glm::ivec2) { return 0.0f; };
+    const umbrage::detail::map_edge edge(never, 0.0f, map.size, false, false);
     umbrage::detail::filter_rows(receivers, window_loads{{map, row, weights}}, edge, sums, 0, sums.size.y);
 }
 

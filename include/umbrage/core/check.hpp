@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How functions refuse bad input: one message for all, which names function, argument, condition and value.
+// Errors of bad input. All messages have one form: function, argument, condition, value and usual cause.
 //
 //     detail::require(map_size >= 1, "make_cascades", "map_size", "above 0", map_size);
 //     // umbrage::make_cascades: map_size must be above 0; got 0

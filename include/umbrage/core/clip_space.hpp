@@ -24,7 +24,7 @@ enum class depth_range { unset, zero_to_one, minus_one_to_one };  ///< of z/w be
 enum class depth_direction { forward, reversed };                 ///< reversed: the near plane has the greater depth
 enum class texture_origin { bottom, top };                        ///< where texel (0, 0) is: at NDC y = -1, or y = +1
 
-/// What a texel outside the map counts as.
+/// Treatment of texels outside the map.
 enum class outside_map {
     bordered,  ///< the far plane, as under a border sampler: all outside the map is lit. The default of whole maps
     clamped,   ///< the nearest texel inside: what tiles with a gutter and faces of cubes want

@@ -150,7 +150,7 @@ inline constexpr bool is_image = false;
 template <class T>
 inline constexpr bool is_image<image<T>> = true;
 
-/// What functions over images take: an image, or a view of one.
+/// View of an image. A view stays as it is, so that functions take either.
 template <class Map>
 [[nodiscard]] auto view_of(Map& map) {
     if constexpr (is_image<std::remove_const_t<Map>>) return map.view();
@@ -221,7 +221,7 @@ template <class Map, class Texel = detail::texel_of<Map>>
 [[nodiscard]] bordered_map<Texel> bordered(const Map& map, std::type_identity_t<Texel> border) {
     return {detail::view_of(map), border};
 }
-/// Of depths that run forward, with 1, the far plane; of other texels bordered_texels.
+/// Fetch of a map of forward depth: outside it is 1, the far plane. Maps of other texels give bordered_texels.
 template <class Map, class Texel = detail::texel_of<Map>>
 [[nodiscard]] auto bordered(const Map& map) {
     if constexpr (std::is_floating_point_v<Texel>) return bordered(map, Texel(1));

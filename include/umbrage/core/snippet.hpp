@@ -112,7 +112,7 @@ struct snippet {
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
 
-/// What a snippet promises in a word, e.g. "A", "B, n = 6", "C, within 1/128".
+/// Short form of a snippet's promise, e.g. "A", "B, n = 6", "C, within 1/128".
 [[nodiscard]] inline std::string promise(const snippet& s) {
     if (s.exactness == tier::a) return "A";
     std::string text = s.exactness == tier::b ? "B, " : "C, ";

@@ -71,7 +71,7 @@ template <real T, class Fetch, class Compare = less_equal>
     return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
 }
 
-/// Whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit.
+/// True when a receiver of a prefiltered map or a table lies in the map. Receivers elsewhere are lit.
 /// @param size      of the map, in texels
 /// @param outside   clamped: whatever the receiver, which then sees the map's edge
 /// @exactness       A

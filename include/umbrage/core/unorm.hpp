@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <type_traits>
 
 #include <glm/vec2.hpp>
@@ -76,7 +78,7 @@ requires unorm_bits<Bits>
     return c;
 }
 
-/// What a UNORM render target stores of a written value: C++ only, the target is the twin.
+/// Rounding of a UNORM render target's store. It has no snippet: in a shader the target itself stores.
 enum class unorm_store { rounds, truncates };
 
 /// @param c     any value; clamped to [0, 1], NaN stores 0 as graphics interfaces ask
@@ -96,7 +98,7 @@ requires unorm_bits<Bits>
     return channels;
 }
 
-/// What sampling gives back of stored channels.
+/// Values that sampling gives for stored channels: k / n.
 template <int Bits = 8, real T = float, glm::length_t L>
 requires unorm_bits<Bits>
 [[nodiscard]] constexpr glm::vec<L, T> load_unorm(glm::vec<L, unorm_channel<Bits>> channels) {
@@ -106,133 +108,113 @@ requires unorm_bits<Bits>
 }
 
 namespace glsl {
+namespace detail {
+
+/// A comment and a function's text four times: with float, vec2, vec3 and vec4 in place of $t.
+[[nodiscard]] inline std::string overloads(std::string_view comment, std::string_view function) {
+    std::string text(comment);
+    for (const std::string_view type : {"float", "vec2", "vec3", "vec4"}) append(text, function, {{'t', 0, type}});
+    return text;
+}
+
+}  // namespace detail
 
 inline constexpr snippet to_unorm{
     .name = "to_unorm",
     .summary = "channel 0..255 to the value an 8-bit target stores as it",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
 // k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
-UMBRAGE_HIGHP float umbrage_to_unorm(UMBRAGE_HIGHP float k) {
-    return k * 0.0039215087890625 + 0.0009765625;
-}
-UMBRAGE_HIGHP vec2 umbrage_to_unorm(UMBRAGE_HIGHP vec2 k) {
-    return k * 0.0039215087890625 + 0.0009765625;
-}
-UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
-    return k * 0.0039215087890625 + 0.0009765625;
-}
-UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
-    return k * 0.0039215087890625 + 0.0009765625;
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_to_unorm(UMBRAGE_HIGHP $t k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet from_unorm{
     .name = "from_unorm",
     .summary = "value read from an 8-bit texture to channel 0..255",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
-UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
-    return floor(c * 255.0 + 0.5);
-}
-UMBRAGE_HIGHP vec2 umbrage_from_unorm(UMBRAGE_HIGHP vec2 c) {
-    return floor(c * 255.0 + 0.5);
-}
-UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
-    return floor(c * 255.0 + 0.5);
-}
-UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
-    return floor(c * 255.0 + 0.5);
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_from_unorm(UMBRAGE_HIGHP $t c) {
+    return floor(c * 255.0 + 0.5);
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet to_unorm10{
     .name = "to_unorm10",
     .summary = "channel 0..1023 to the value a 10-bit target stores as it",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
 // k * 4099 / 4194304 + 1056 / 4194304
-UMBRAGE_HIGHP float umbrage_to_unorm10(UMBRAGE_HIGHP float k) {
-    return k * 0.0009772777557373046875 + 0.00025177001953125;
-}
-UMBRAGE_HIGHP vec2 umbrage_to_unorm10(UMBRAGE_HIGHP vec2 k) {
-    return k * 0.0009772777557373046875 + 0.00025177001953125;
-}
-UMBRAGE_HIGHP vec3 umbrage_to_unorm10(UMBRAGE_HIGHP vec3 k) {
-    return k * 0.0009772777557373046875 + 0.00025177001953125;
-}
-UMBRAGE_HIGHP vec4 umbrage_to_unorm10(UMBRAGE_HIGHP vec4 k) {
-    return k * 0.0009772777557373046875 + 0.00025177001953125;
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_to_unorm10(UMBRAGE_HIGHP $t k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet from_unorm10{
     .name = "from_unorm10",
     .summary = "value read from a 10-bit texture to channel 0..1023",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
-UMBRAGE_HIGHP float umbrage_from_unorm10(UMBRAGE_HIGHP float c) {
-    return floor(c * 1023.0 + 0.5);
-}
-UMBRAGE_HIGHP vec2 umbrage_from_unorm10(UMBRAGE_HIGHP vec2 c) {
-    return floor(c * 1023.0 + 0.5);
-}
-UMBRAGE_HIGHP vec3 umbrage_from_unorm10(UMBRAGE_HIGHP vec3 c) {
-    return floor(c * 1023.0 + 0.5);
-}
-UMBRAGE_HIGHP vec4 umbrage_from_unorm10(UMBRAGE_HIGHP vec4 c) {
-    return floor(c * 1023.0 + 0.5);
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_from_unorm10(UMBRAGE_HIGHP $t c) {
+    return floor(c * 1023.0 + 0.5);
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet to_unorm16{
     .name = "to_unorm16",
     .summary = "channel 0..65535 to the value a 16-bit target stores as it",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
-UMBRAGE_HIGHP float umbrage_to_unorm16(UMBRAGE_HIGHP float k) {
-    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
-}
-UMBRAGE_HIGHP vec2 umbrage_to_unorm16(UMBRAGE_HIGHP vec2 k) {
-    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
-}
-UMBRAGE_HIGHP vec3 umbrage_to_unorm16(UMBRAGE_HIGHP vec3 k) {
-    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
-}
-UMBRAGE_HIGHP vec4 umbrage_to_unorm16(UMBRAGE_HIGHP vec4 k) {
-    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_to_unorm16(UMBRAGE_HIGHP $t k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+)GLSL");
+        },
 };
 
 inline constexpr snippet from_unorm16{
     .name = "from_unorm16",
     .summary = "value read from a 16-bit texture to channel 0..65535",
     .exactness = tier::a,
-    .source = R"GLSL(
+    .source =
+        +[] {
+            return detail::overloads(R"GLSL(
 // umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
-UMBRAGE_HIGHP float umbrage_from_unorm16(UMBRAGE_HIGHP float c) {
-    return floor(c * 65535.0 + 0.5);
-}
-UMBRAGE_HIGHP vec2 umbrage_from_unorm16(UMBRAGE_HIGHP vec2 c) {
-    return floor(c * 65535.0 + 0.5);
-}
-UMBRAGE_HIGHP vec3 umbrage_from_unorm16(UMBRAGE_HIGHP vec3 c) {
-    return floor(c * 65535.0 + 0.5);
-}
-UMBRAGE_HIGHP vec4 umbrage_from_unorm16(UMBRAGE_HIGHP vec4 c) {
-    return floor(c * 65535.0 + 0.5);
-}
 )GLSL",
+                                     R"GLSL(UMBRAGE_HIGHP $t umbrage_from_unorm16(UMBRAGE_HIGHP $t c) {
+    return floor(c * 65535.0 + 0.5);
+}
+)GLSL");
+        },
 };
 
 inline constexpr const snippet* unorm_snippets[]{&to_unorm,     &from_unorm, &to_unorm10,

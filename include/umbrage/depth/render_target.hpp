@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a map's texture keeps of the values that a shader writes into it: bits a channel, channels, and how texels lie
-// in memory. An encoding names its target; tools, tables and shaders ask that.
+// Render targets for encoded depths: bits per channel, channels, format, and how texels lie in memory. An encoding
+// names its target; tools, tables and shaders take these facts from there.
 //
 //     using target = umbrage::unorm_target<8, 2>;  // RG8
 //     glm::u8vec2 texel = target::store(umbrage::to_unorm(glm::vec2(channels)), umbrage::unorm_store::rounds);
@@ -51,9 +51,10 @@ using unorm_texel = std::conditional_t<Channels == 1, unorm_channel<Bits>,
 
 }  // namespace detail
 
-/// UNORM channels of 8 or 16 bits.
+/// UNORM channels of 8 or 16 bits; 10 bits have the one form below.
 template <int Bits, int Channels>
 struct unorm_target {
+    static_assert(Bits == 8 || Bits == 16, "of 10 bits a channel there is unorm_target<10, 3> alone");
     using texel = detail::unorm_texel<Bits, Channels>;
     static constexpr int bits = Bits, channels = Channels;
     static constexpr std::string_view formats[2][4]{{"R8", "RG8", "RGB8", "RGBA8"}, {"R16", "RG16", "RGB16", "RGBA16"}};
@@ -66,11 +67,11 @@ struct unorm_target {
         return store_unorm<Bits>(values, mode);
     }
     [[nodiscard]] static glm::vec4 load(texel t) {
-        glm::vec4 c(0);
-        if constexpr (Channels == 1) c.x = float(t) / float((1 << Bits) - 1);
+        glm::vec<4, unorm_channel<Bits>> all(0);
+        if constexpr (Channels == 1) all.x = t;
         else
-            for (int i = 0; i < Channels; ++i) c[i] = float(t[i]) / float((1 << Bits) - 1);
-        return c;
+            for (int i = 0; i < Channels; ++i) all[i] = t[i];
+        return load_unorm<Bits>(all);
     }
 };
 

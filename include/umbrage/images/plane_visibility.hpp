@@ -51,43 +51,6 @@ UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_wa
     for (const auto* slope : {&from.slope_x, &from.slope_y}) prefetch(*slope, at);
 }
 
-/// Receivers near the map's edge are left to filter_planes.
-struct no_edge {
-    [[nodiscard]] UMBRAGE_INLINE bool meets(const auto&) const { return false; }
-    UMBRAGE_INLINE void filter_again(const auto&, const block_walk&, float*) const {}
-};
-
-/// The filter itself for receivers whose texels may lie outside the map, or for all.
-template <class Filter, class Fetch, class ParallelFor>
-void filter_planes(const sloped_receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& fetch,
-                   depth_direction direction, image_view<float> out, ParallelFor&& parallel, bool all) {
-    float margin = 0.0f;
-    if constexpr (requires { filter.reach(); }) margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
-    const glm::vec2 last = map_size - margin;
-    const auto inside = [&](glm::ivec2 p) {  // all of a block, as most are
-        const float *const x = receivers.at.x.row(p.y) + p.x, *const y = receivers.at.y.row(p.y) + p.x;
-        std::int32_t count = 0;
-        for (int i = 0; i < block; ++i)
-            count += std::int32_t(x[i] >= margin) & std::int32_t(y[i] >= margin) & std::int32_t(x[i] <= last.x) &
-                     std::int32_t(y[i] <= last.y);
-        return count == block;
-    };
-    parallel(out.size.y, [&](int begin, int end) {
-        for (glm::ivec2 p{0, begin}; p.y < end; ++p.y)
-            for (p.x = 0; p.x < out.size.x; ++p.x) {
-                if (!all && p.x % block == 0 && p.x + block <= out.size.x && inside(p)) {
-                    p.x += block - 1;
-                    continue;
-                }
-                const glm::vec2 c(receivers.at.x[p], receivers.at.y[p]);
-                if (!all && c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) continue;
-                const glm::vec2 slope(receivers.slope_x[p], receivers.slope_y[p]);
-                out[p] =
-                    filtered(filter, apply_receiver_plane(fetch, slope, c, direction), c, receivers.at.depth[p], p);
-            }
-    });
-}
-
 }  // namespace detail
 
 /// Visibility of receivers along their planes: of the filter over apply_receiver_plane(fetch, slope, coord), for each.
@@ -113,14 +76,23 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     if (out.empty()) return;
     const float cleared = detail::far_depth(encoding, filter);
     const depth_direction direction = cleared > 0.5f ? depth_direction::forward : depth_direction::reversed;
+    const bool has_border = outside == outside_map::bordered;
+    const auto clamped_map = decoded(clamped(map), encoding);
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
+    const detail::erased_fetch fetch = has_border ? detail::erase(bordered_map) : detail::erase(clamped_map);
+    const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+        const glm::vec2 slope(receivers.slope_x[pixel], receivers.slope_y[pixel]);
+        return detail::filtered(filter, apply_receiver_plane(fetch, slope, coord, direction), coord, receiver, pixel);
+    };
     bool done = false;
     if constexpr (detail::has_plane_form<Filter>) {
         using form = detail::plane_form<Filter>;
+        // a texel that is clamped keeps its own place on the plane
+        const detail::map_edge edge(alone, filter.reach(), map.size, true, has_border);
         const auto rows = [&]<class Blocks>(const Blocks& of) {
             const detail::plane_blocks<Blocks> blocks{of, cleared};
-            parallel(out.size.y, [&](int first, int last) {
-                detail::filter_rows(receivers, blocks, detail::no_edge{}, out, first, last);
-            });
+            parallel(out.size.y,
+                     [&](int first, int last) { detail::filter_rows(receivers, blocks, edge, out, first, last); });
         };
         done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (direction == depth_direction::forward)
@@ -128,13 +100,11 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
             else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
         });
     }
-    const auto by_itself = [&](const auto& fetch) {
-        detail::filter_planes(receivers, glm::vec2(map.size), filter, fetch, direction, out, parallel, !done);
-    };
-    const auto clamped_map = decoded(clamped(map), encoding);
-    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
-    if (outside == outside_map::bordered) by_itself(detail::erase(bordered_map));
-    else by_itself(detail::erase(clamped_map));
+    if (done) return;
+    detail::for_each_receiver(receivers, out, parallel,
+                              [&](float& visibility, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+                                  visibility = alone(coord, receiver, pixel);
+                              });
 }
 
 }  // namespace umbrage

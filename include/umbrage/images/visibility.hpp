@@ -51,22 +51,26 @@ template <class Fetch>
     return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
 }
 
-/// The receivers whose texels may lie outside the map. Blocks clamp there: with a border these are filtered again.
-template <class Filter>
+/// The receivers whose texels may lie outside the map. Blocks clamp there: these receivers are filtered again.
+template <class Alone>
 class map_edge {
 public:
-    /// @param bordered   what fetches the map with its border; none: the edge clamps
-    map_edge(const Filter& filter, glm::ivec2 map_size, const erased_fetch* bordered)
-        : filter_(filter),
-          bordered_(bordered),
-          margin_(filter.reach() + 0.5f),  // weights are in steps of 1/256
+    /// @param alone        (coord, receiver, pixel) -> visibility of one receiver
+    /// @param reach        the filter's
+    /// @param blocks_err   false: what blocks give there is right
+    /// @param lit_beyond   whether a receiver is lit that reaches no texel of the map
+    map_edge(Alone alone, float reach, glm::ivec2 map_size, bool blocks_err, bool lit_beyond)
+        : alone_(alone),
+          margin_(reach + 0.5f),  // weights are in steps of 1/256
           size_(map_size),
+          blocks_err_(blocks_err),
+          lit_beyond_(lit_beyond),
           inside_(glm::vec2(margin_), size_ - margin_) {}
 
     /// Whether one of a block is among them.
     template <class Receivers>
     [[nodiscard]] UMBRAGE_INLINE bool meets(const Receivers& r) const {
-        return bordered_ && !inside_.holds(r);
+        return blocks_err_ && !inside_.holds(r);
     }
     /// Filters those of a block again.
     template <class Receivers>
@@ -77,18 +81,17 @@ public:
                 const glm::vec2 c(r.x(i), r.y(i));
                 if (c.x >= margin_ && c.y >= margin_ && c.x <= last.x && c.y <= last.y) continue;
                 const bool apart = c.x < -margin_ || c.y < -margin_ || c.x > beyond.x || c.y > beyond.y;
-                visibility[i] = apart && !is_nan(r.z(i))
-                                    ? 1.0f
-                                    : filtered(filter_, *bordered_, c, r.z(i), glm::ivec2(at.x + i, at.y));
+                visibility[i] =
+                    lit_beyond_ && apart && !is_nan(r.z(i)) ? 1.0f : alone_(c, r.z(i), glm::ivec2(at.x + i, at.y));
             }
         });
     }
 
 private:
-    const Filter& filter_;
-    const erased_fetch* bordered_;
+    Alone alone_;
     float margin_;
     glm::vec2 size_;
+    bool blocks_err_, lit_beyond_;
     receiver_rectangle inside_;
 };
 
@@ -228,7 +231,10 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
         using form = block_form<Filter>;
         const erased_fetch bordered = erase(bordered_map);
         const bool has_border = outside == outside_map::bordered;
-        const map_edge<Filter> edge(filter, map.size, has_border ? &bordered : nullptr);
+        const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+            return filtered(filter, bordered, coord, receiver, pixel);
+        };
+        const map_edge edge(alone, filter.reach(), map.size, has_border, has_border);
         const auto rows = [&](const auto& blocks) {
             parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
         };

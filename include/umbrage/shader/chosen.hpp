@@ -35,9 +35,11 @@ template <class = umbrage::detail::on_use>
         case hook::border_depth: return scaled ? hooks::scaled_border_depth : s;
         case hook::map_covers: return is_bordered(b) ? hooks::bordered_covers : hooks::clamped_covers;
         case hook::beyond_far_plane:
-            return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
+            return scaled    ? hooks::scaled_beyond_far_plane
+                   : forward ? hooks::forward_beyond_far_plane
+                             : hooks::reversed_beyond_far_plane;
         case hook::within_far_plane:
-            return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
+            return scaled ? s : forward ? hooks::forward_within_far_plane : hooks::reversed_within_far_plane;
         case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
         case hook::texel:
         case hook::fetch_depth:

@@ -88,8 +88,9 @@ private:
             for (const bound& item : items_) {
                 // No far plane for the shader's one map: a function, as a macro in two places confuses preprocessors of
                 // engines; and always, so that a file with such depths changes those that are pasted behind it.
-                if (of_map && keeps_macros(item) && &chosen(beyond_far_plane, item.map) == &hooks::scaled_beyond_far)
-                    add(hooks::scaled_beyond_far, item, of_map, use);
+                if (of_map && keeps_macros(item) &&
+                    &chosen(beyond_far_plane, item.map) == &hooks::scaled_beyond_far_plane)
+                    add(hooks::scaled_beyond_far_plane, item, of_map, use);
                 for (const snippet& need : item.map.needs) add(need, item, of_map, use);
                 for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
                 add(item.what, item, of_map, use);

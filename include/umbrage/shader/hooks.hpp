@@ -196,10 +196,11 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 /// Every one of them, for printers and packages.
 inline constexpr const auto& all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &border_depth, &scaled_border_depth, &bordered_covers,
-         &clamped_covers, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far, &forward_before_far,
-         &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth,
-         &lit_texel, &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels,
-         &gathered, &gathered_region, &gathered_bordered, &gathered_bordered_region, &clamped_lit_filtered,
-         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &sampled_depth, &sampled_bordered_depth>;
+         &clamped_covers, &forward_beyond_far_plane, &reversed_beyond_far_plane, &scaled_beyond_far_plane,
+         &forward_within_far_plane, &reversed_within_far_plane, &forward_compare, &reversed_compare, &texel, &decode,
+         &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,
+         &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
+         &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
+         &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace umbrage::glsl::hooks

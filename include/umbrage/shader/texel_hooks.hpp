@@ -59,7 +59,7 @@ bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
 }
 )GLSL"};
 
-inline constexpr snippet forward_beyond_far{
+inline constexpr snippet forward_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -67,7 +67,7 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet reversed_beyond_far{
+inline constexpr snippet reversed_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -75,7 +75,7 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet scaled_beyond_far{
+inline constexpr snippet scaled_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, scaled", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -83,7 +83,7 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet forward_before_far{
+inline constexpr snippet forward_within_far_plane{
     .name = "within_far_plane", .summary = "within_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
@@ -91,7 +91,7 @@ bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet reversed_before_far{
+inline constexpr snippet reversed_within_far_plane{
     .name = "within_far_plane", .summary = "within_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
