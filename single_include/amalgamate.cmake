@@ -25,7 +25,7 @@ endfunction()
 # kinds, which tools walk, other programs' formats, and those that fit lights to a scene or keep account of what they
 # drew: geometry and containers, which take their time to compile.
 file(GLOB_RECURSE primitives RELATIVE ${root}/include ${root}/include/*.hpp)
-list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader|warp|foreign)/|/(umbrage|primitives|list|[a-z]*(filters|encodings))\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader|shadow|warp|foreign)/|/(umbrage|primitives|list|[a-z]*(filters|encodings))\\.hpp$")
 list(FILTER primitives EXCLUDE REGEX "/light/([a-z]+_fit|bounds|sweep|cascades/(cascades|warped)|adaptive/(pages|root))\\.hpp$")
 list(SORT primitives)
 list(TRANSFORM primitives REPLACE "(.+)" "#include <\\1>\n")
@@ -36,10 +36,10 @@ if(NOT OUTPUT STREQUAL "${committed}")
 endif()
 file(WRITE ${folder}/primitives.hpp "// SPDX-License-Identifier: MIT
 //
-// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
-// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive), other programs' formats
-// (depth/foreign), the lists of encodings and filters and the texts of snippets come with <umbrage/umbrage.hpp> or in
-// headers of their own. Made by single_include/amalgamate.cmake.
+// The primitives of umbrage alone, for short compile times. <umbrage/umbrage.hpp>, or headers of their own, have the
+// rest: shadows as one object, functions over whole images with the depth pass, fitted lights (directional_fit,
+// spot_fit, cascades, warp, adaptive), other programs' formats (depth/foreign), lists of encodings and filters, and
+// texts of snippets. Made by single_include/amalgamate.cmake.
 #pragma once
 
 ${primitives}")

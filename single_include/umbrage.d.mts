@@ -141,6 +141,8 @@ export const cube_view_z: Snippet;
 export const cube_plane: Snippet;
 /** a point from a face's axes */
 export const cube_point: Snippet;
+/** a point in a face's axes */
+export const cube_face_point: Snippet;
 /** face, and where on it, that a direction meets */
 export const cube_coordinate: Snippet;
 /** direction to a point of a cube's face */
@@ -589,6 +591,10 @@ export const biased: Snippet;
 export const clamp_slope: Snippet;
 /** change of a plane's depth from texel to texel */
 export const plane_slope: Snippet;
+/** change of a receiver's depth from texel to texel */
+export const receiver_slope: Snippet;
+/** change of a plane's depth from texel to texel of a cascade */
+export const cascade_slope: Snippet;
 /** bias by the greater slope, as rasterizers have it */
 export const slope_bias: Snippet;
 /** way off a surface to the point that is looked up in its place */

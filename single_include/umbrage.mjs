@@ -628,6 +628,15 @@ UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP ve
     return face < 1.5 ? x : (face < 3.5 ? y : z);
 }
 `,
+            "cube_face_point": `
+// umbrage_cube_face_point: (sc, tc, distance along its axis) in a face, 0.0 to 5.0, of a point from the cube's middle
+UMBRAGE_HIGHP vec3 umbrage_cube_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(-p.z, -p.y, p.x) : vec3(p.z, -p.y, -p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
             "cube_coordinate": `
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
 UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
@@ -3567,6 +3576,26 @@ UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_
     return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 `,
+            "receiver_slope": `
+// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                          UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? vec2(0.0, 0.0) : slope;
+}
+`,
+            "cascade_slope": `
+// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
+//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
+    return none ? vec2(0.0, 0.0) : slope;
+}
+`,
             "slope_bias": `
 // umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
 //   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
@@ -4192,6 +4221,15 @@ float3 umbrage_cube_plane(float3 direction) {
 // umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
 float3 umbrage_cube_point(float face, float3 p) {
     float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
+    float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
+    float3 z = face < 4.5 ? float3(p.x, -p.y, p.z) : float3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
+            "cube_face_point": `
+// umbrage_cube_face_point: (sc, tc, distance along its axis) in a face, 0.0 to 5.0, of a point from the cube's middle
+float3 umbrage_cube_face_point(float face, float3 p) {
+    float3 x = face < 0.5 ? float3(-p.z, -p.y, p.x) : float3(p.z, -p.y, -p.x);
     float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
     float3 z = face < 4.5 ? float3(p.x, -p.y, p.z) : float3(-p.x, -p.y, -p.z);
     return face < 1.5 ? x : (face < 3.5 ? y : z);
@@ -6925,6 +6963,25 @@ float2 umbrage_plane_slope(float4x4 plane_matrix, float3 normal, float3 world) {
     return float2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 `,
+            "receiver_slope": `
+// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+float2 umbrage_receiver_slope(float4x4 plane_matrix, float3 normal, float3 world) {
+    float2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? float2(0.0, 0.0) : slope;
+}
+`,
+            "cascade_slope": `
+// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
+//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+float2 umbrage_cascade_slope(float3 normal, float4 scale) {
+    precise float2 up = float2(normal.x, normal.y) * -scale.z;
+    precise float2 across = float2(scale.x, scale.y) * normal.z;
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    float2 slope = float2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
+    return none ? float2(0.0, 0.0) : slope;
+}
+`,
             "slope_bias": `
 // umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
 //   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
@@ -7521,6 +7578,15 @@ inline float3 umbrage_cube_plane(float3 direction) {
 // umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
 inline float3 umbrage_cube_point(float face, float3 p) {
     float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
+    float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
+    float3 z = face < 4.5 ? float3(p.x, -p.y, p.z) : float3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
+            "cube_face_point": `
+// umbrage_cube_face_point: (sc, tc, distance along its axis) in a face, 0.0 to 5.0, of a point from the cube's middle
+inline float3 umbrage_cube_face_point(float face, float3 p) {
+    float3 x = face < 0.5 ? float3(-p.z, -p.y, p.x) : float3(p.z, -p.y, -p.x);
     float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
     float3 z = face < 4.5 ? float3(p.x, -p.y, p.z) : float3(-p.x, -p.y, -p.z);
     return face < 1.5 ? x : (face < 3.5 ? y : z);
@@ -10269,6 +10335,25 @@ inline float2 umbrage_plane_slope(metal::float4x4 plane_matrix, float3 normal, f
     return float2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 `,
+            "receiver_slope": `
+// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+inline float2 umbrage_receiver_slope(metal::float4x4 plane_matrix, float3 normal, float3 world) {
+    float2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? float2(0.0, 0.0) : slope;
+}
+`,
+            "cascade_slope": `
+// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
+//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+inline float2 umbrage_cascade_slope(float3 normal, float4 scale) {
+    float2 up = float2(normal.x, normal.y) * -scale.z;
+    float2 across = float2(scale.x, scale.y) * normal.z;
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    float2 slope = float2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
+    return none ? float2(0.0, 0.0) : slope;
+}
+`,
             "slope_bias": `
 // umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
 //   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
@@ -10865,6 +10950,15 @@ fn umbrage_cube_plane(direction: vec3f) -> vec3f {
 // umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
 fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
     let x: vec3f = select(vec3f(-p.z, -p.y, p.x), vec3f(p.z, -p.y, -p.x), face < 0.5);
+    let y: vec3f = select(vec3f(p.x, -p.z, -p.y), vec3f(p.x, p.z, p.y), face < 2.5);
+    let z: vec3f = select(vec3f(-p.x, -p.y, -p.z), vec3f(p.x, -p.y, p.z), face < 4.5);
+    return select(select(z, y, face < 3.5), x, face < 1.5);
+}
+`,
+            "cube_face_point": `
+// umbrage_cube_face_point: (sc, tc, distance along its axis) in a face, 0.0 to 5.0, of a point from the cube's middle
+fn umbrage_cube_face_point(face: f32, p: vec3f) -> vec3f {
+    let x: vec3f = select(vec3f(p.z, -p.y, -p.x), vec3f(-p.z, -p.y, p.x), face < 0.5);
     let y: vec3f = select(vec3f(p.x, -p.z, -p.y), vec3f(p.x, p.z, p.y), face < 2.5);
     let z: vec3f = select(vec3f(-p.x, -p.y, -p.z), vec3f(p.x, -p.y, p.z), face < 4.5);
     return select(select(z, y, face < 3.5), x, face < 1.5);
@@ -13601,6 +13695,25 @@ fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> ve
     return vec2f(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 `,
+            "receiver_slope": `
+// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
+    let slope: vec2f = umbrage_plane_slope(plane_matrix, normal, world);
+    let none: bool = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return select(slope, vec2f(0.0, 0.0), none);
+}
+`,
+            "cascade_slope": `
+// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
+//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+fn umbrage_cascade_slope(normal: vec3f, scale: vec4f) -> vec2f {
+    let up: vec2f = vec2f(normal.x, normal.y) * -scale.z;
+    let across: vec2f = vec2f(scale.x, scale.y) * normal.z;
+    let none: bool = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    let slope: vec2f = vec2f(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
+    return select(slope, vec2f(0.0, 0.0), none);
+}
+`,
             "slope_bias": `
 // umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
 //   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
@@ -14032,6 +14145,7 @@ const rows = [
     ["cube_view_z", "cube_view_z", "distance along the axis of the face that a direction meets", "a", 0, 0, false, "100", "none", false, ["cube_face"]],
     ["cube_plane", "cube_plane", "a direction in its face's axes", "a", 0, 0, false, "100", "none", false, ["cube_face"]],
     ["cube_point", "cube_point", "a point from a face's axes", "a", 0, 0, false, "100", "none", false, []],
+    ["cube_face_point", "cube_face_point", "a point in a face's axes", "a", 0, 0, false, "100", "none", false, []],
     ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 5, 0, false, "100", "none", false, ["cube_view_z", "cube_plane"]],
     ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 2, 0, false, "100", "none", false, ["cube_point"]],
     ["cube_neighbor", "cube_neighbor", "texel beyond an edge of a cube's face", "a", 0, 0, false, "100", "none", false, ["cube_plane", "cube_point"]],
@@ -14256,6 +14370,8 @@ const rows = [
     ["biased", "biased", "receiver moved towards the light", "b", 1, 0, false, "100", "none", false, ["cleared_depth"]],
     ["clamp_slope", "clamp_slope", "clamp of a slope to [-2, 2], NaN to 2", "a", 0, 0, false, "100", "none", false, []],
     ["plane_slope", "plane_slope", "change of a plane's depth from texel to texel", "c", 27, 0, false, "100", "none", false, ["clamp_slope"]],
+    ["receiver_slope", "receiver_slope", "change of a receiver's depth from texel to texel", "c", 27, 0, false, "100", "none", false, ["plane_slope"]],
+    ["cascade_slope", "cascade_slope", "change of a plane's depth from texel to texel of a cascade", "c", 6, 0, false, "100", "none", false, ["clamp_slope"]],
     ["slope_bias", "slope_bias", "bias by the greater slope, as rasterizers have it", "b", 2, 0, false, "100", "none", false, ["clamp_bias"]],
     ["normal_offset", "normal_offset", "way off a surface to the point that is looked up in its place", "c", 91, 0, false, "100", "none", false, []],
     ["kernel_bias", "kernel_bias", "bias by the kernel's width and the angle at which light falls", "c", 30, 0, false, "100", "none", false, []],
@@ -14395,4 +14511,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_face_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, receiver_slope, cascade_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;

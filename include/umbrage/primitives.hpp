@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
-// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive), other programs' formats
-// (depth/foreign), the lists of encodings and filters and the texts of snippets come with <umbrage/umbrage.hpp> or in
-// headers of their own. Made by single_include/amalgamate.cmake.
+// The primitives of umbrage alone, for short compile times. <umbrage/umbrage.hpp>, or headers of their own, have the
+// rest: shadows as one object, functions over whole images with the depth pass, fitted lights (directional_fit,
+// spot_fit, cascades, warp, adaptive), other programs' formats (depth/foreign), lists of encodings and filters, and
+// texts of snippets. Made by single_include/amalgamate.cmake.
 #pragma once
 
 #include <umbrage/bias/acne_free.hpp>

@@ -48,3 +48,8 @@
 #include <umbrage/shader/msl.hpp>
 #include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/wgsl.hpp>
+#include <umbrage/shadow/cascaded_maps.hpp>
+#include <umbrage/shadow/cube_maps.hpp>
+#include <umbrage/shadow/in_shader.hpp>
+#include <umbrage/shadow/shadow.hpp>
+#include <umbrage/shadow/single_map.hpp>

@@ -55,6 +55,7 @@
 #include <glm/vector_relational.hpp>
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <new>
 #include <numbers>
 #include <optional>
@@ -2278,6 +2279,30 @@ template <real T>
     return {clamp_slope(-q.x / q.z), clamp_slope(-q.y / q.z)};
 }
 
+/// Change of a receiver's depth from one texel to the next.
+/// @param normal   of the surface, any length; zero: a caller who has none, and biases in the depth pass
+/// @return         plane_slope; (0, 0) for a normal of zero
+/// @exactness      C, n = 27: S as plane_slope
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
+                                                      glm::vec<3, T> world) {
+    const bool none = normal.x == T(0) && normal.y == T(0) && normal.z == T(0);
+    return none ? glm::vec<2, T>(T(0), T(0)) : plane_slope(plane_matrix, normal, world);
+}
+
+/// The same in a cascade, where world and texels differ by a rotation, a scale and an offset.
+/// @param normal   of the surface, rotated into the light's directions, of any length; zero: a caller who has none
+/// @param scale    of the cascade
+/// @return         slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on, and for NaN
+/// @formula        -normal.xy scale.z / (normal.z scale.xy)
+/// @exactness      C, n = 6: a division
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
+    if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
+    return {clamp_slope(normal.x * -scale.z / (normal.z * scale.x)),
+            clamp_slope(normal.y * -scale.z / (normal.z * scale.y))};
+}
+
 /// The bias that rasterizers know, in a shader: so much a slope, on a base.
 ///
 /// @param slope      change of depth from one texel to the next
@@ -2327,6 +2352,42 @@ UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_
 )GLSL",
 };
 
+inline constexpr snippet receiver_slope{
+    .name = "receiver_slope",
+    .summary = "change of a receiver's depth from texel to texel",
+    .exactness = tier::c,
+    .operations = 27,
+    .needs = list<&plane_slope>,
+    .source = R"GLSL(
+// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                          UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? vec2(0.0, 0.0) : slope;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_slope{
+    .name = "cascade_slope",
+    .summary = "change of a plane's depth from texel to texel of a cascade",
+    .exactness = tier::c,
+    .operations = 6,
+    .needs = list<&clamp_slope>,
+    .source = R"GLSL(
+// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
+//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
+    return none ? vec2(0.0, 0.0) : slope;
+}
+)GLSL",
+};
+
 inline constexpr snippet slope_bias{
     .name = "slope_bias",
     .summary = "bias by the greater slope, as rasterizers have it",
@@ -2346,7 +2407,8 @@ UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &slope_bias};
+inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &receiver_slope, &cascade_slope,
+                                                 &slope_bias};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5904,6 +5966,20 @@ template <real T>
     return {-p.x, -p.y, -p.z};
 }
 
+/// A point or a vector in a face's axes: cube_point's inverse.
+/// @param face   0 .. 5;   p  from the cube's middle
+/// @return       (sc, tc, distance along the face's axis)
+/// @exactness    A: selects
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_face_point(T face, glm::vec<3, T> p) {
+    if (face < T(0.5)) return {-p.z, -p.y, p.x};
+    if (face < T(1.5)) return {p.z, -p.y, -p.x};
+    if (face < T(2.5)) return {p.x, p.z, p.y};
+    if (face < T(3.5)) return {p.x, -p.z, -p.y};
+    if (face < T(4.5)) return {p.x, -p.y, p.z};
+    return {-p.x, -p.y, -p.z};
+}
+
 /// Where on its face a direction meets the cube.
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
@@ -6014,6 +6090,21 @@ UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP ve
 )GLSL",
 };
 
+inline constexpr snippet cube_face_point{
+    .name = "cube_face_point",
+    .summary = "a point in a face's axes",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_face_point: (sc, tc, distance along its axis) in a face, 0.0 to 5.0, of a point from the cube's middle
+UMBRAGE_HIGHP vec3 umbrage_cube_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(-p.z, -p.y, p.x) : vec3(p.z, -p.y, -p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+)GLSL",
+};
+
 inline constexpr snippet cube_coordinate{
     .name = "cube_coordinate",
     .summary = "face, and where on it, that a direction meets",
@@ -6078,8 +6169,9 @@ UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP flo
 )GLSL",
 };
 
-inline constexpr const snippet* cube_map_snippets[]{&cube_face,       &cube_view_z,    &cube_plane,    &cube_point,
-                                                    &cube_coordinate, &cube_direction, &cube_neighbor, &cube_tile};
+inline constexpr const snippet* cube_map_snippets[]{&cube_face,      &cube_view_z,     &cube_plane,
+                                                    &cube_point,     &cube_face_point, &cube_coordinate,
+                                                    &cube_direction, &cube_neighbor,   &cube_tile};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -10212,10 +10304,10 @@ inline constexpr const snippet* overlay_texel_snippets[]{&overlay_texel};
 }  // namespace umbrage
 
 // ---- umbrage/primitives.hpp
-// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
-// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive), other programs' formats
-// (depth/foreign), the lists of encodings and filters and the texts of snippets come with <umbrage/umbrage.hpp> or in
-// headers of their own. Made by single_include/amalgamate.cmake.
+// The primitives of umbrage alone, for short compile times. <umbrage/umbrage.hpp>, or headers of their own, have the
+// rest: shadows as one object, functions over whole images with the depth pass, fitted lights (directional_fit,
+// spot_fit, cascades, warp, adaptive), other programs' formats (depth/foreign), lists of encodings and filters, and
+// texts of snippets. Made by single_include/amalgamate.cmake.
 
 
 // ---- umbrage/core/list.hpp
@@ -20340,6 +20432,233 @@ template <class = umbrage::detail::on_use>
 
 }  // namespace umbrage::glsl::detail
 
+// ---- umbrage/shader/translate/layout.hpp
+// Where lines end, once words of another length stand in them.
+//
+
+namespace umbrage::glsl::detail {
+
+/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as
+/// far out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string broken(std::string statement) {
+    const std::size_t margin = statement.find_first_not_of(' ');
+    std::string out;
+    std::vector<std::size_t> brackets;  // columns behind those that are open where the line at work begins
+    for (std::size_t begin = margin; statement.size() > 120;) {
+        std::vector<std::size_t> open = brackets, open_at_end;
+        std::size_t end = 0;
+        for (std::size_t i = begin; i <= 120; ++i) {
+            const char c = statement[i];
+            if (c == '(' || c == '[') open.push_back(i + 1);
+            if ((c == ')' || c == ']') && !open.empty()) open.pop_back();
+            const bool can_end =
+                c == ' ' && i > begin && std::string_view(",=+*/&|").find(statement[i - 1]) != std::string_view::npos;
+            if (!can_end || (end > 0 && open.size() > open_at_end.size())) continue;
+            end = i;
+            open_at_end = open;
+        }
+        if (end == 0) break;
+        brackets = open_at_end;
+        begin = brackets.empty() ? margin + 4 : brackets.back();
+        out += statement.substr(0, end) + '\n';
+        statement.replace(0, end + 1, begin, ' ');
+    }
+    return out + statement;
+}
+
+/// The text with the lines of each statement joined and broken again; a comment or a directive stays as it is.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string laid_out(std::string_view text) {
+    const auto next_line = [&] {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(line.size() < text.size() ? line.size() + 1 : line.size());
+        return line;
+    };
+    const auto is_code = [](std::string_view line) {
+        const std::size_t begin = line.find_first_not_of(' ');
+        return begin != line.npos && line[begin] != '#' && line.substr(begin, 2) != "//";
+    };
+    const auto ends_statement = [](std::string_view line) {
+        return line.find("//") != line.npos || std::string_view(";{}").find(line.back()) != std::string_view::npos;
+    };
+    std::string out;
+    while (!text.empty()) {
+        std::string_view line = next_line();
+        if (is_code(line)) {
+            std::string statement(line.substr(0, line.find("//")));
+            while (!ends_statement(line) && is_code(text.substr(0, text.find('\n')))) {
+                line = next_line();
+                std::string_view code = line.substr(0, line.find("//"));
+                code.remove_prefix(code.find_first_not_of(' '));
+                statement += (statement.back() == '(' ? "" : " ") + std::string(code);
+            }
+            out += broken(std::move(statement));
+            if (line.find("//") != line.npos) out += line.substr(line.find("//"));
+        } else {
+            out += line;
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/interface.hpp
+// What a shader declares for a shadow: its uniform block, its map, and a function of world and normal alone.
+//
+// A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks: there
+// it is an array of vec4, glUniform4fv takes the same bytes.
+
+namespace umbrage {
+
+/// A member of a uniform block: one mat4, or one vec4.
+struct uniform_field {
+    std::string_view name;
+    bool matrix = true;
+
+    [[nodiscard]] constexpr std::size_t vectors() const { return matrix ? 4 : 1; }
+};
+
+namespace glsl {
+
+/// The numbers that an API binds by. Languages take those they have: OpenGL from 420 and 310 es on the bindings of block
+/// and texture, Vulkan and WGSL the set too, HLSL registers b, t, s and a space; Metal has arguments instead.
+struct shader_slots {
+    int block = 0, texture = 1, sampler = 2, set = 0;
+};
+
+/// What a text declares for one shadow.
+struct shader_interface {
+    std::string name;                     ///< function umbrage_<name>
+    std::vector<uniform_field> fields{};  ///< of the block
+    shader_slots slots{};
+    bool takes_pixel = false;  ///< a third argument, the position in pixels, for filters that turn
+
+    [[nodiscard]] std::string prefix() const { return "umbrage_" + name; }
+};
+
+namespace detail {
+
+/// The parameters that stand for the map, without what chooses one of several: sampler2D map.
+struct map_parameter {
+    std::string map, sampler;  ///< sampler: empty where there is none
+};
+
+/// A call of the shadow's function of all its arguments, `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
+template <class Member>
+[[nodiscard]] std::string interface_call(const shader_interface& i, const std::string& map, const std::string& sampler,
+                                         const Member& member) {
+    std::string call = "umbrage_shadow_" + i.name + "(" + map + (sampler.empty() ? "" : ", " + sampler);
+    for (std::size_t f = 0; f < i.fields.size(); ++f) call += ", " + member(f);
+    return call + ", world, normal" + (i.takes_pixel ? ", pixel)" : ")");
+}
+
+/// A declared parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map".
+[[nodiscard]] inline std::string renamed(std::string declaration, std::string_view from, const std::string& to) {
+    const auto at = declaration.find(declaration.find(std::string(from) + ":") == 0 ? std::string(from) + ":"
+                                                                                    : " " + std::string(from));
+    return declaration.replace(at + (declaration[at] == ' ' ? 1 : 0), from.size(), to);
+}
+
+[[nodiscard]] inline std::string with_head(const shader_interface& i, const std::string& function) {
+    return "\n// " + i.prefix() + ": visibility of a point of the world, 1.0 is lit; a normal of zero is none\n" +
+           laid_out(function);
+}
+
+[[nodiscard]] inline std::string glsl_interface(const shader_interface& i, const map_parameter& map, version v) {
+    const bool vulkan = v == version::vulkan, es = directive(v).ends_with("es") || v == version::v100;
+    const bool blocks = v >= version::v150;
+    const bool binds = vulkan || v == version::v430 || v == version::v450 || v == version::v460 ||
+                       v == version::v310_es || v == version::v320_es;
+    const auto slot = [&](int number) {
+        return (vulkan ? "set = " + std::to_string(i.slots.set) + ", " : "") + "binding = " + std::to_string(number);
+    };
+    const std::string block = i.prefix() + "_block", high = es ? "highp " : "";
+    std::string out = "\n";
+    std::size_t vectors = 0;
+    std::vector<std::size_t> first;
+    for (const uniform_field& f : i.fields) first.push_back(vectors), vectors += f.vectors();
+    if (blocks) {
+        out += "layout(std140" + (binds ? ", " + slot(i.slots.block) : "") + ") uniform " + block + " {\n";
+        for (const uniform_field& f : i.fields)
+            out += "    " + high + (f.matrix ? "mat4 " : "vec4 ") + i.prefix() + "_" + std::string(f.name) + ";\n";
+        out += "};\n";
+    } else {
+        out += "uniform " + high + "vec4 " + block + "[" + std::to_string(vectors) + "];\n";
+    }
+    out += (binds ? "layout(" + slot(i.slots.texture) + ") " : "") + "uniform " +
+           renamed(map.map, "map", i.prefix() + "_map") + ";\n";
+    const auto member = [&](std::size_t f) {
+        if (blocks) return i.prefix() + "_" + std::string(i.fields[f].name);
+        const auto vector = [&](std::size_t n) { return block + "[" + std::to_string(first[f] + n) + "]"; };
+        if (!i.fields[f].matrix) return vector(0);
+        return "mat4(" + vector(0) + ", " + vector(1) + ", " + vector(2) + ", " + vector(3) + ")";
+    };
+    return out + with_head(i, high + "float " + i.prefix() + "(" + high + "vec3 world, " + high + "vec3 normal" +
+                                  (i.takes_pixel ? ", " + high + "vec2 pixel" : "") + ") {\n    return " +
+                                  interface_call(i, i.prefix() + "_map", "", member) + ";\n}\n");
+}
+
+[[nodiscard]] inline std::string hlsl_interface(const shader_interface& i, const map_parameter& map, version) {
+    const auto slot = [&](char kind, int number) {
+        return " : register(" + (kind + std::to_string(number)) +
+               (i.slots.set > 0 ? ", space" + std::to_string(i.slots.set) : "") + ")";
+    };
+    std::string out = "\ncbuffer " + i.prefix() + "_block" + slot('b', i.slots.block) + " {\n";
+    for (const uniform_field& f : i.fields)
+        out += std::string("    ") + (f.matrix ? "column_major float4x4 " : "float4 ") + i.prefix() + "_" +
+               std::string(f.name) + ";\n";
+    out += "};\n" + renamed(map.map, "map", i.prefix() + "_map") + slot('t', i.slots.texture) + ";\n";
+    const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
+    if (!sampler.empty()) out += renamed(map.sampler, "map_sampler", sampler) + slot('s', i.slots.sampler) + ";\n";
+    return out + with_head(i, "float " + i.prefix() + "(float3 world, float3 normal" +
+                                  (i.takes_pixel ? ", float2 pixel" : "") + ") {\n    return " +
+                                  interface_call(
+                                      i, i.prefix() + "_map", sampler,
+                                      [&](std::size_t f) { return i.prefix() + "_" + std::string(i.fields[f].name); }) +
+                                  ";\n}\n");
+}
+
+[[nodiscard]] inline std::string wgsl_interface(const shader_interface& i, const map_parameter& map, version) {
+    const auto slot = [&](int number) {
+        return "@group(" + std::to_string(i.slots.set) + ") @binding(" + std::to_string(number) + ") var";
+    };
+    const std::string block = i.prefix() + "_block", uniforms = i.prefix() + "_uniforms";
+    std::string out = "\nstruct " + block + " {\n";
+    for (const uniform_field& f : i.fields)
+        out += "    " + std::string(f.name) + (f.matrix ? ": mat4x4f,\n" : ": vec4f,\n");
+    out += "}\n" + slot(i.slots.block) + "<uniform> " + uniforms + ": " + block + ";\n" + slot(i.slots.texture) + " " +
+           renamed(map.map, "map", i.prefix() + "_map") + ";\n";
+    const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
+    if (!sampler.empty()) out += slot(i.slots.sampler) + " " + renamed(map.sampler, "map_sampler", sampler) + ";\n";
+    return out + with_head(i, "fn " + i.prefix() + "(world: vec3f, normal: vec3f" +
+                                  (i.takes_pixel ? ", pixel: vec2f" : "") + ") -> f32 {\n    return " +
+                                  interface_call(
+                                      i, i.prefix() + "_map", sampler,
+                                      [&](std::size_t f) { return uniforms + "." + std::string(i.fields[f].name); }) +
+                                  ";\n}\n");
+}
+
+[[nodiscard]] inline std::string msl_interface(const shader_interface& i, const map_parameter& map, version) {
+    const std::string block = i.prefix() + "_block";
+    std::string out = "\nstruct " + block + " {\n";
+    for (const uniform_field& f : i.fields)
+        out += std::string("    ") + (f.matrix ? "metal::float4x4 " : "float4 ") + std::string(f.name) + ";\n";
+    return out + "};\n" +
+           with_head(i, "inline float " + i.prefix() + "(constant " + block + "& block, " + map.map +
+                            (map.sampler.empty() ? "" : ", " + map.sampler) + ", float3 world, float3 normal" +
+                            (i.takes_pixel ? ", float2 pixel" : "") + ") {\n    return " +
+                            interface_call(i, "map", map.sampler.empty() ? "" : "map_sampler",
+                                           [&](std::size_t f) { return "block." + std::string(i.fields[f].name); }) +
+                            ";\n}\n");
+}
+
+}  // namespace detail
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/shader/bind.hpp
 // Snippets bound to maps, so that one shader holds maps of several kinds: functions under a suffix of each map's own.
 //
@@ -20431,7 +20750,9 @@ struct bound {
     snippet what;
     std::string suffix{};
     binding map{};
-    bool by_macros = true;  ///< in GLSL the hooks are macros of the shader's
+    bool by_macros = true;                               ///< in GLSL the hooks are macros of the shader's
+    std::shared_ptr<const shader_interface> declared{};  ///< of a shadow: what the text declares for it,
+    std::shared_ptr<const void> texts{};                 ///< and what keeps its snippets alive
 
     template <class = umbrage::detail::on_use>
     bound(const snippet& s) : what(s) {}
@@ -20550,6 +20871,27 @@ template <class = umbrage::detail::on_use>
     return names;
 }
 
+/// What stands for a map in declarations: the binding's own parameters, or the kind's, with a sampler to gather by.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string parameters_of(const binding& map, const texture_words& words) {
+    if (!map.parameters.empty()) return map.parameters;
+    std::string all(words.parameters);
+    if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), words.sampler);
+    return all;
+}
+
+/// The parameters but for those that a text declares itself: the layer, or the origin, of a map that it chooses.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string not_declared_in(std::string_view text, const std::string& parameters) {
+    std::string rest;
+    for (const std::string_view parameter : members(parameters)) {
+        const std::string name = ' ' + std::string(declared(parameter).front());
+        const bool chosen = text.find(name + " = ") != text.npos || text.find(name + ": ") != text.npos;
+        if (!chosen) rest.append(rest.empty() ? "" : ",").append(parameter);
+    }
+    return rest;
+}
+
 /// A snippet's text with what a map fills in.
 /// @throws std::invalid_argument   own parameters that leave out what is read, or take a name that the text has
 template <class = umbrage::detail::on_use>
@@ -20572,13 +20914,10 @@ template <class = umbrage::detail::on_use>
     }
     const std::string own_map = name_of_map(text);
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
-    const auto with_sampler = [&](std::string_view ordinary, std::string_view sampler) {
-        std::string all(ordinary);
-        if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), sampler);
-        return all;
-    };
-    const std::string ordinary = with_sampler(words.arguments, words.sampler_argument);
-    const std::string parameters = one_of(map.parameters, with_sampler(words.parameters, words.sampler));
+    std::string ordinary(words.arguments);
+    if (map.gather)
+        ordinary.insert(umbrage::detail::lesser(ordinary.find(','), ordinary.size()), words.sampler_argument);
+    const std::string parameters = parameters_of(map, words);
     const std::string arguments = one_of(map.arguments, ordinary);
     umbrage::detail::require(members(parameters).size() == members(arguments).size(), "glsl::bind", "map.arguments",
                              "as many as map.parameters", arguments, "The parameters are " + parameters + ".");
@@ -20620,7 +20959,7 @@ template <class = umbrage::detail::on_use>
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
         if (word == own_map && !comment) return list(arguments);
-        if (word == "UMBRAGE_PARAMETERS") return list(parameters);
+        if (word == "UMBRAGE_PARAMETERS") return list(not_declared_in(text, parameters));
         if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
@@ -20633,79 +20972,6 @@ template <class = umbrage::detail::on_use>
         if (word == "UMBRAGE_GATHER_LIT") return of_texture(ours(words.gather_lit));
         return std::string(word);
     });
-}
-
-}  // namespace umbrage::glsl::detail
-
-// ---- umbrage/shader/translate/layout.hpp
-// Where lines end, once words of another length stand in them.
-//
-
-namespace umbrage::glsl::detail {
-
-/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as
-/// far out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string broken(std::string statement) {
-    const std::size_t margin = statement.find_first_not_of(' ');
-    std::string out;
-    std::vector<std::size_t> brackets;  // columns behind those that are open where the line at work begins
-    for (std::size_t begin = margin; statement.size() > 120;) {
-        std::vector<std::size_t> open = brackets, open_at_end;
-        std::size_t end = 0;
-        for (std::size_t i = begin; i <= 120; ++i) {
-            const char c = statement[i];
-            if (c == '(' || c == '[') open.push_back(i + 1);
-            if ((c == ')' || c == ']') && !open.empty()) open.pop_back();
-            const bool can_end =
-                c == ' ' && i > begin && std::string_view(",=+*/&|").find(statement[i - 1]) != std::string_view::npos;
-            if (!can_end || (end > 0 && open.size() > open_at_end.size())) continue;
-            end = i;
-            open_at_end = open;
-        }
-        if (end == 0) break;
-        brackets = open_at_end;
-        begin = brackets.empty() ? margin + 4 : brackets.back();
-        out += statement.substr(0, end) + '\n';
-        statement.replace(0, end + 1, begin, ' ');
-    }
-    return out + statement;
-}
-
-/// The text with the lines of each statement joined and broken again; a comment or a directive stays as it is.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string laid_out(std::string_view text) {
-    const auto next_line = [&] {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        text.remove_prefix(line.size() < text.size() ? line.size() + 1 : line.size());
-        return line;
-    };
-    const auto is_code = [](std::string_view line) {
-        const std::size_t begin = line.find_first_not_of(' ');
-        return begin != line.npos && line[begin] != '#' && line.substr(begin, 2) != "//";
-    };
-    const auto ends_statement = [](std::string_view line) {
-        return line.find("//") != line.npos || std::string_view(";{}").find(line.back()) != std::string_view::npos;
-    };
-    std::string out;
-    while (!text.empty()) {
-        std::string_view line = next_line();
-        if (is_code(line)) {
-            std::string statement(line.substr(0, line.find("//")));
-            while (!ends_statement(line) && is_code(text.substr(0, text.find('\n')))) {
-                line = next_line();
-                std::string_view code = line.substr(0, line.find("//"));
-                code.remove_prefix(code.find_first_not_of(' '));
-                statement += (statement.back() == '(' ? "" : " ") + std::string(code);
-            }
-            out += broken(std::move(statement));
-            if (line.find("//") != line.npos) out += line.substr(line.find("//"));
-        } else {
-            out += line;
-        }
-        out += '\n';
-    }
-    return out;
 }
 
 }  // namespace umbrage::glsl::detail
@@ -20725,6 +20991,8 @@ struct language {
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
     std::string_view function = "glsl::text";    ///< that a user calls
+    std::string (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
+    std::optional<version> dialect{};  ///< GLSL's, where it is known
 };
 
 /// One text in the making.
@@ -20756,7 +21024,18 @@ public:
                          : body;
             if (language_.preprocessor) text_ += "#endif\n";
         });
+        for (const bound& item : items_)
+            if (item.declared) declare(item);
         return std::move(text_);
+    }
+
+    /// Those of its parts that are not exact.
+    [[nodiscard]] std::vector<snippet> inexact() && {
+        std::vector<snippet> all;
+        for_each([&](const snippet& s, const bound&, const std::string&) {
+            if (s.exactness != tier::a) all.push_back(s);
+        });
+        return all;
     }
 
     /// The worst promise of what the text holds.
@@ -20773,8 +21052,7 @@ public:
 
 private:
     struct part {
-        std::string_view what;
-        std::string suffix, guard;
+        std::string what, suffix, guard;
     };
 
     /// Calls use(snippet, item, guard) for each part of the text, in order. What belongs to no map comes first: hooks
@@ -20805,12 +21083,32 @@ private:
         for (const part& done : done_) {
             if (done.guard != guard) continue;
             if (done.what == s.name && done.suffix == suffix) return;
-            umbrage::detail::refuse(
-                language_.function, "name", "such that functions differ, in capitals too",
-                ("umbrage_" + std::string(done.what) + done.suffix + " and umbrage_" + function).c_str());
+            umbrage::detail::refuse(language_.function, "name", "such that functions differ, in capitals too",
+                                    ("umbrage_" + done.what + done.suffix + " and umbrage_" + function).c_str());
         }
         use(s, item, guard);
-        done_.push_back({s.name, suffix, std::move(guard)});
+        done_.push_back({std::string(s.name), suffix, std::move(guard)});
+    }
+
+    /// A shadow's block, map and function, behind all that it calls.
+    void declare(const bound& item) {
+        const shader_interface& i = *item.declared;
+        umbrage::detail::require(language_.declare != nullptr, language_.function, "version",
+                                 "given for a shadow's uniforms", "none");
+        for (const part& done : done_)
+            if (done.what + done.suffix == i.name)
+                umbrage::detail::refuse(language_.function, "name", "another than a snippet's or shadow's of the text",
+                                        std::string_view(i.name));
+        map_parameter map;
+        const std::string parameters = parameters_of(item.map, language_.texture(item.map.texture));
+        for (const std::string_view parameter : members(parameters)) {
+            const std::string_view name = declared(parameter).front();
+            std::string one(parameter.substr(parameter.find_first_not_of(' ')));
+            if (name == "map") map.map = std::move(one);
+            if (name == "map_sampler") map.sampler = std::move(one);
+        }
+        text_ += language_.declare(i, map, language_.dialect.value_or(version::vulkan));
+        done_.push_back({i.name, {}, {}});
     }
 
     [[nodiscard]] bool keeps_macros(const bound& item) const { return language_.macros && item.by_macros; }
@@ -20826,12 +21124,15 @@ template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string bounds_note(const language& l, const std::vector<bound>& items) {
     std::string lines;
     for (const bound& item : items) {
+        const auto add = [&](const std::string& name, const snippet& promise) {
+            const std::string line = "// " + name + (promise.exactness == tier::b ? ", tier B: " : ", tier C: ") +
+                                     bound_in_words(promise) + '\n';
+            if (lines.find(line) == lines.npos) lines += line;
+        };
         const snippet worst = composition<Use>(l, {item}).worst();
-        if (worst.exactness == tier::a) continue;
-        const std::string line = "// " + std::string(item.what.name) + item.suffix +
-                                 (worst.exactness == tier::b ? ", tier B: " : ", tier C: ") + bound_in_words(worst) +
-                                 '\n';
-        if (lines.find(line) == lines.npos) lines += line;
+        if (item.declared)  // a chain, of which each part keeps its own bound
+            for (const snippet& part : composition<Use>(l, {item}).inexact()) add(std::string(part.name), part);
+        else if (worst.exactness != tier::a) add(std::string(item.what.name) + item.suffix, worst);
     }
     if (lines.find(" x S ") != lines.npos)
         lines +=
@@ -20849,7 +21150,8 @@ template <class Use = umbrage::detail::on_use>
                         ", MIT License";
     std::string names = ": ";
     for (const bound& item : items) {
-        const std::string name = std::string(item.what.name) + item.suffix + ", ";
+        const std::string name =
+            (item.declared ? item.declared->name : std::string(item.what.name) + item.suffix) + ", ";
         if (names.find(' ' + name) == names.npos) names += name;
     }
     names.resize(names.size() - 2);
@@ -21051,6 +21353,8 @@ template <class Use = umbrage::detail::on_use>
     const std::string known_prelude = detail::known_prelude<Use>(*v), name = "GLSL " + std::string(directive(*v));
     detail::language known = detail::glsl_language<Use>;
     known.prelude = known_prelude;
+    known.declare = detail::glsl_interface;
+    known.dialect = v;
     known.may_reorder = detail::has_precise(*v) ? std::string_view() : std::string_view(name);
     return detail::resolved<Use>(detail::compose<Use>(known, items), detail::number(*v));
 }
@@ -21572,7 +21876,8 @@ inline constexpr glsl::detail::language language{
         [](const glsl::snippet& s) {
             return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
         },
-    .function = "hlsl::text"};
+    .function = "hlsl::text",
+    .declare = glsl::detail::hlsl_interface};
 
 }  // namespace detail
 
@@ -21715,7 +22020,8 @@ inline constexpr glsl::detail::language language{
         [](const glsl::snippet& s) {
             return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
         },
-    .function = "msl::text"};
+    .function = "msl::text",
+    .declare = glsl::detail::msl_interface};
 
 }  // namespace detail
 
@@ -23199,7 +23505,8 @@ inline constexpr glsl::detail::language language{.prelude = "",
                                                  .translate = translate<Use>,
                                                  .may_reorder = "WGSL",
                                                  .preprocessor = false,
-                                                 .function = "wgsl::text"};
+                                                 .function = "wgsl::text",
+                                                 .declare = glsl::detail::wgsl_interface};
 
 }  // namespace detail
 
@@ -23211,6 +23518,672 @@ template <class Use = umbrage::detail::on_use>
 }
 
 }  // namespace umbrage::wgsl
+
+// ---- umbrage/shadow/set_up.hpp
+// What a light's set-up is to a shadow: how many maps it has, how they are drawn, and where a point of the world is
+// looked up. single_map.hpp is the shortest. Any type like these works; no list names them.
+
+namespace umbrage {
+
+/// What every shadow's block ends with.
+struct shadow_terms {
+    glm::vec2 map_size{1};      ///< of one map, texels
+    float reach = 0;            ///< of the filter, as its bias counts it, texels
+    float error = 0;            ///< by how much depth in the map, or a receiver's, may be off
+    glm::vec4 filter_terms{0};  ///< the filter's own numbers: a radius, or (per_code, min_radius, max_radius)
+
+    static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
+};
+
+/// A receiver's place in a light's maps.
+struct map_place {
+    int number = 0;      ///< of the map
+    glm::vec3 at{0};     ///< texels, texels, depth
+    glm::vec2 slope{0};  ///< change of depth of the receiver's plane, from one texel to the next
+};
+
+namespace glsl {
+
+/// How a shader's text chooses one of several maps: a layer of an array, or a tile of an atlas.
+struct map_choice {
+    bool atlas = false;
+    std::string_view tile{};  ///< snippet that gives a tile's first texel
+
+    /// The statement that chooses the map of a number, in a set-up's text: the first one, or another.
+    [[nodiscard]] std::string first(std::string_view number) const {
+        return std::string("    UMBRAGE_HIGHP ").append(atlas ? "vec2 " : "float ").append(again(number).substr(4));
+    }
+    [[nodiscard]] std::string again(std::string_view number) const {
+        if (!atlas) return std::string("    layer = ").append(number).append(";\n");
+        return std::string("    origin = umbrage_").append(tile).append("(").append(number).append(", terms.x);\n");
+    }
+};
+
+}  // namespace glsl
+
+/// How a light's maps are set up. `uniforms` holds mat4s and vec4s alone, in the order of `fields`, so that C++,
+/// std140, cbuffers, WGSL and Metal lay it out alike. `visibility` and `text` are twins: C++ calls look(place) where
+/// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
+template <class SetUp>
+concept shadow_set_up = std::copyable<SetUp> &&
+    requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,
+             float (*look)(const map_place&), const glsl::map_choice& choice) {
+    { s.clip() } -> std::same_as<clip_space>;
+    { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // of the maps, each with its depth pass
+    { SetUp::grid } -> std::convertible_to<glm::ivec2>;                // columns and rows of maps in one image
+    { SetUp::outside } -> std::convertible_to<outside_map>;            // what texels outside a map count as
+    { SetUp::tile } -> std::convertible_to<std::string_view>;          // snippet of a map's first texel; "" for one map
+    { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
+    {std::span<const uniform_field>(SetUp::fields)};
+    { SetUp::visibility(u, terms, v, v, look) } -> std::same_as<float>;
+    { SetUp::text(choice) } -> std::same_as<std::string>;
+    {std::span<const glsl::snippet* const>(SetUp::needs)};
+};
+
+/// The set-up that a light is given to a shadow as: itself, unless its header says otherwise.
+template <class Light>
+struct set_up_for {
+    using type = Light;
+};
+
+namespace detail {
+
+/// Holds a set-up's `uniforms` to its `fields`.
+template <class SetUp>
+consteval bool has_fields() {
+    std::size_t vectors = 0;
+    for (const uniform_field& f : SetUp::fields) vectors += f.vectors();
+    return vectors * sizeof(glm::vec4) == sizeof(typename SetUp::uniforms);
+}
+
+/// A map's first texel in the image of all.
+[[nodiscard]] constexpr glm::ivec2 first_texel(int number, glm::ivec2 grid, glm::ivec2 map_size) {
+    return {number % grid.x * map_size.x, number / grid.x * map_size.y};
+}
+
+/// A light whose world is relative to an origin.
+[[nodiscard]] inline light_space<double> relative_to(glm::dvec3 origin, light_space<double> light) {
+    light.view[3] += light.view[0] * origin.x + light.view[1] * origin.y + light.view[2] * origin.z;
+    return light;
+}
+
+template <real T>
+[[nodiscard]] light_space<double> in_double(const light_space<T>& light) {
+    return {glm::dmat4(light.view), glm::dmat4(light.projection), light.clip};
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/shadow/cascaded_maps.hpp
+// Cascades of a directional light, up to four: a map each, the first that holds a receiver and its filter, and near its
+// border a blend with the next.
+//
+//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
+//     umbrage::shadow sun(cascades, {1024, 1024}, umbrage::filters::tent<3>);
+//     umbrage::shadow hard_changes(umbrage::cascaded_maps(cascades, 0.0f), {1024, 1024}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+struct cascaded_maps {
+    std::vector<cascade<double>> cascades;
+    float blend_texels;  ///< width of the band along a map's border in which the next one takes over; 0: none
+
+    /// @throws std::invalid_argument  blend_texels negative or not finite
+    template <real T, std::size_t Count>
+    explicit cascaded_maps(const std::array<cascade<T>, Count>& all, float blend = 16.0f) : blend_texels(blend) {
+        static_assert(Count >= 1 && Count <= 4, "a shadow takes one to four cascades");
+        detail::require(is_finite(blend) && blend >= 0.0f, "cascaded_maps", "blend", "finite, 0 or more", blend);
+        for (const cascade<T>& c : all)
+            cascades.push_back({detail::in_double(c.light), glm::dvec4(c.scale), glm::dvec4(c.offset), c.begin, c.end});
+    }
+
+    struct uniforms {
+        glm::mat4 rotation;         ///< world to the light's directions
+        glm::mat4 scales, offsets;  ///< columns: a cascade's each, as cascade_by_projection takes them
+        glm::vec4 blending{
+            0};  ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last cascade's number
+    };
+    static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
+    static constexpr glm::ivec2 grid{2, 2};
+    static constexpr outside_map outside = outside_map::bordered;
+    static constexpr std::string_view tile = glsl::cascade_tile.name;
+
+    [[nodiscard]] clip_space clip() const { return cascades.front().light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const {
+        std::vector<light_space<double>> all;
+        for (const cascade<double>& c : cascades) all.push_back(c.light);
+        return all;
+    }
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2, glm::dvec3 origin) const {
+        const glm::dmat4 rotation = cascades.front().light.view;
+        const glm::dvec3 start(rotation * glm::dvec4(origin, 1.0));
+        uniforms u{glm::mat4(glm::dmat3(rotation)), glm::mat4(0), glm::mat4(0), glm::vec4(0)};
+        for (glm::length_t i = 0; i < 4; ++i) {
+            u.offsets[i] = {65536.0f, 65536.0f, 0.0f, 0.0f};  // nothing falls into a cascade that is not there
+            if (i >= static_cast<glm::length_t>(cascades.size())) continue;
+            const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
+            u.scales[i] = c.scale;
+            u.offsets[i] = glm::dvec4(glm::dvec3(c.offset) + start * glm::dvec3(c.scale), 0.0);
+        }
+        u.blending = {blend_texels > 0.0f ? 1.0f / blend_texels : 0.0f, static_cast<float>(cascades.size() - 1), 0, 0};
+        return u;
+    }
+
+    template <class Look>
+    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms& terms, glm::vec3 world,
+                                          glm::vec3 normal, const Look& look) {
+        const glm::vec3 light(shadow_coordinate(u.rotation, world)), across(shadow_coordinate(u.rotation, normal));
+        const glm::vec4 found = cascade_by_projection(light, u.scales, u.offsets, terms.map_size, terms.reach);
+        const float last = u.blending.y, number = found.w < last ? found.w : last;
+        const glm::vec4 scale = cascade_column(u.scales, number);
+        const float nearer = look(map_place{int(number), glm::vec3(found), cascade_slope(across, scale)});
+        const float weight = u.blending.x > 0.0f && found.w <= last
+                                 ? cascade_border_fade(glm::vec2(found), terms.map_size, terms.reach, u.blending.x)
+                                 : 0.0f;
+        if (!(weight > 0.0f)) return nearer;
+        const float next = number + 1.0f < last ? number + 1.0f : last;
+        const glm::vec4 next_scale = cascade_column(u.scales, next);
+        const glm::vec3 at = cascade_coordinate(light, next_scale, cascade_column(u.offsets, next));
+        const float farther = number < last ? look(map_place{int(next), at, cascade_slope(across, next_scale)}) : 1.0f;
+        return blend_cascades(nearer, farther, weight);
+    }
+    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
+        return R"GLSL(
+    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, world);
+    UMBRAGE_HIGHP vec4 across = umbrage_shadow_coordinate(rotation, normal);
+    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
+    UMBRAGE_HIGHP vec3 normal_there = vec3(across.x, across.y, across.z);
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    UMBRAGE_HIGHP float number = min(found.w, blending.y);
+    UMBRAGE_HIGHP vec4 scale = umbrage_cascade_column(scales, number);
+)GLSL" + choice.first("number") +
+               R"GLSL(    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(normal_there, scale);
+    UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope);
+    UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
+    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column(scales, next);
+    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
+)GLSL" + choice.again("next") +
+               R"GLSL(    UMBRAGE_HIGHP float farther = 1.0;
+    if (weight > 0.0 && number < blending.y) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale));
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+)GLSL";
+    }
+    static constexpr const auto& needs =
+        glsl::list<&glsl::shadow_coordinate, &glsl::cascade_by_projection, &glsl::cascade_column, &glsl::cascade_slope,
+                   &glsl::cascade_coordinate, &glsl::cascade_border_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
+};
+
+template <real T, std::size_t Count>
+struct set_up_for<std::array<cascade<T>, Count>> {
+    using type = cascaded_maps;
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/shadow/cube_maps.hpp
+// Six maps around a point light, one for each face of a cube. A border lets filters stay within a face.
+//
+//     const umbrage::point_light<float> bulb{.position = p, .map_size = 512, .border = 3, .clip = clip};
+//     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+struct cube_maps {
+    point_light<double> light;
+
+    template <real T>
+    explicit cube_maps(const point_light<T>& l)
+        : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
+        static_cast<void>(make_point_light(light));  // refuses what cannot be
+    }
+
+    struct uniforms {
+        glm::vec4 position;   ///< of the light; w: 0
+        glm::mat4 to_texels;  ///< from a face's axes, as cube_face_point has them, to texels of its map
+        glm::mat4 planes;     ///< plane_matrix of that
+    };
+    static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
+    static constexpr glm::ivec2 grid{3, 2};
+    static constexpr outside_map outside = outside_map::clamped;
+    static constexpr std::string_view tile = glsl::cube_tile.name;
+
+    [[nodiscard]] clip_space clip() const { return light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const {
+        const auto faces = make_point_light(light);
+        return {faces.begin(), faces.end()};
+    }
+    /// @throws std::invalid_argument  map_size other than the light's
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the point light's");
+        const glm::dmat4 projection = make_point_light(light)[0].projection;
+        const double half = 0.5 * light.map_size, inner = half - light.border;
+        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // of view z, in front of a face
+        glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
+        if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
+        glm::dmat4 m(0);
+        m[0][0] = m[1][1] = inner;
+        m[2] = {half, half, depth.x, 1.0};
+        m[3][2] = depth.y;
+        return {glm::vec4(light.position - origin, 0.0), glm::mat4(m), glm::mat4(plane_matrix(m))};
+    }
+
+    template <class Look>
+    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
+                                          const Look& look) {
+        const glm::vec3 way = world - glm::vec3(u.position);
+        const int face = cube_face(way);
+        const glm::vec3 there = cube_face_point(float(face), way), across = cube_face_point(float(face), normal);
+        const glm::vec3 at = project_coordinate(shadow_coordinate(u.to_texels, there));
+        return look(map_place{face, at, receiver_slope(u.planes, across, there)});
+    }
+    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
+        return R"GLSL(
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
+    UMBRAGE_HIGHP vec3 there = umbrage_cube_face_point(face, way);
+    UMBRAGE_HIGHP vec3 across = umbrage_cube_face_point(face, normal);
+    UMBRAGE_HIGHP vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+)GLSL" + choice.first("face") +
+               "    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, across, "
+               "there));\n";
+    }
+    static constexpr const auto& needs = glsl::list<&glsl::cube_face, &glsl::cube_face_point, &glsl::project_coordinate,
+                                                    &glsl::shadow_coordinate, &glsl::receiver_slope, &glsl::cube_tile>;
+};
+
+template <real T>
+struct set_up_for<point_light<T>> {
+    using type = cube_maps;
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/shadow/single_map.hpp
+// One map: of a spot light, or of a directional light, fitted or warped as may be.
+//
+//     umbrage::shadow lamp(umbrage::make_spot_light({...}), {1024, 1024}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+struct single_map {
+    light_space<double> light;
+
+    template <real T>
+    explicit single_map(const light_space<T>& space) : light(detail::in_double(space)) {}
+
+    struct uniforms {
+        glm::mat4 to_texels;  ///< texture_matrix
+        glm::mat4 planes;     ///< plane_matrix
+    };
+    static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}};
+    static constexpr glm::ivec2 grid{1, 1};
+    static constexpr outside_map outside = outside_map::bordered;
+    static constexpr std::string_view tile{};
+
+    [[nodiscard]] clip_space clip() const { return light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        const glm::dmat4 to_texels = texture_matrix(detail::relative_to(origin, light), map_size);
+        return {glm::mat4(to_texels), glm::mat4(plane_matrix(to_texels))};
+    }
+
+    [[nodiscard]] static map_place place(const uniforms& u, glm::vec3 world, glm::vec3 normal) {
+        const glm::vec3 at = project_coordinate(shadow_coordinate(u.to_texels, world));
+        return {0, at, receiver_slope(u.planes, normal, world)};
+    }
+    template <class Look>
+    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
+                                          const Look& look) {
+        return look(place(u, world, normal));
+    }
+    [[nodiscard]] static std::string text(const glsl::map_choice&) {
+        return R"GLSL(
+    UMBRAGE_HIGHP vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world));
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, normal, world));
+)GLSL";
+    }
+    static constexpr const auto& needs =
+        glsl::list<&glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
+};
+
+template <real T>
+struct set_up_for<light_space<T>> {
+    using type = single_map;
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/shadow/shadow.hpp
+// A light's shadow as one value: set-up, size of its maps, filter, encoding. It knows its bias, its border, the
+// direction of its depth and what its texels may be off by.
+//
+//     const umbrage::shadow sun(light, {1024, 1024}, umbrage::filters::tent<3>);
+//     umbrage::image<float> map(sun.size(), sun.cleared());  // on the CPU; a GPU has its own texture
+//     sun.draw(map, {positions, triangles});
+//     float visibility = sun(map, world, normal);            // 1 lit
+//
+// In a shader the same, bit for bit where its parts are: in_shader.hpp. Each step by hand: texture_matrix,
+// shadow_coordinate, project_coordinate, receiver_slope, acne_free_bias, biased, then the filter of bordered(map).
+
+namespace umbrage {
+
+/// Where a frame's world begins: points of the world are given less that.
+struct frame_origin {
+    glm::dvec3 origin{0};
+};
+
+/// A shadow's uniforms as its shader wants them: copy the bytes.
+template <shadow_set_up SetUp>
+struct shadow_uniforms {
+    typename SetUp::uniforms maps;
+    shadow_terms terms;
+};
+
+namespace detail {
+
+/// A filter's numbers, as a block holds them.
+[[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter) {
+    if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
+    else if constexpr (requires { filter.radius_texels; }) return {filter.radius_texels, 0.0f, 0.0f, 0.0f};
+    else if constexpr (requires { filter.radius; }) return {static_cast<float>(filter.radius), 0.0f, 0.0f, 0.0f};
+    else return glm::vec4(0.0f);
+}
+
+/// Whether a filter reads a disc's points, whose bias is another.
+template <class Filter>
+inline constexpr bool reads_disc = requires(const Filter& f) {
+    f.farthest_point();
+};
+
+/// Filters whose coordinate and receiver are all that they ask of a point.
+template <class Filter>
+concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f);
+} && !requires(const Filter& f) { f.offsets; }
+&&!requires(const Filter& f) { f.epsilon; };
+
+}  // namespace detail
+
+template <shadow_set_up SetUp, detail::point_filter Filter, known_encoding Encoding = depth32f>
+class shadow {
+public:
+    using texel = typename Encoding::texel;
+    using uniforms_type = shadow_uniforms<SetUp>;
+    static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
+
+    /// @param light      a light_space, an array of cascades, a point_light, or a set-up of your own
+    /// @param map_size   of one map, texels, each >= 1
+    /// @param filter     one of filters::; the direction of depth is the light's
+    /// @param encoding   how the map's texels hold depth; its direction is the light's
+    /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or below twice the filter's
+    ///                                reach; what the set-up complains of
+    template <class Light>
+    shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
+        : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
+        detail::require_given(set_up_.clip(), "shadow", "light.clip");
+        detail::require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+        filter_.is_lit.direction = encoding_.direction = set_up_.clip().direction;
+        detail::require(2.0f * filter_.reach() <= static_cast<float>(glm::min(map_size.x, map_size.y)), "shadow",
+                        "map_size", "twice the filter's reach or more", map_size,
+                        "The filter reaches " + detail::printed(filter_.reach()) + " texels to each side.");
+        uniforms_ = uniforms();
+    }
+
+    [[nodiscard]] const SetUp& set_up() const { return set_up_; }
+    [[nodiscard]] const Filter& filter() const { return filter_; }
+    [[nodiscard]] const Encoding& encoding() const { return encoding_; }
+
+    /// Of the image or texture that holds all maps, texels.
+    [[nodiscard]] glm::ivec2 size() const { return map_size_ * SetUp::grid; }
+    /// Of one map; a texture array has this size.
+    [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
+    /// What an empty map holds: the far plane.
+    [[nodiscard]] texel cleared() const { return encoding_.cleared(); }
+
+    /// Draws a mesh into the maps' depths, each map's own view of it, nearer depths winning.
+    /// @param depths   of size(), cleared to cleared_depth of the light's clip space, or drawn into before
+    /// @throws std::invalid_argument  depths of another size, and what rasterize_depth complains of
+    template <class ParallelFor = serial>
+    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
+        detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
+        const auto lights = set_up_.lights();
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            rasterize_depth(depths.region(detail::first_texel(int(i), SetUp::grid, map_size_), map_size_), mesh,
+                            glm::mat4(lights[i].projection * lights[i].view), lights[i].clip, cull_mode::none,
+                            parallel);
+    }
+
+    /// A receiver's visibility.
+    /// @param map      of size(), texels of the encoding, drawn for this light
+    /// @param world    the receiver; NaN is lit
+    /// @param normal   of its surface, any length: the bias is what its plane asks for. Zero: none, for maps whose
+    ///                 depth pass was biased (make_polygon_offset)
+    /// @param pixel    where filters that turn from pixel to pixel (discs, contact hardening) take their turn from
+    /// @return         0 in shadow, 1 lit; outside all maps, behind the light and beyond the far plane 1
+    /// @throws std::invalid_argument  map of another size
+    /// @exactness      the worst of its parts: C, as project_coordinate; cascades B
+    [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
+                                   glm::ivec2 pixel = {}) const {
+        detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
+        return SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal,
+                                 [&](const map_place& place) { return look(map, place, pixel); });
+    }
+
+    /// Visibility of an image of receivers.
+    /// @param points, normals   of one size, see operator()
+    /// @param out               of that size
+    /// @param parallel          cuts the rows into pieces, see parallel.hpp
+    /// @throws std::invalid_argument  sizes differ, map of another size
+    template <class ParallelFor = serial>
+    void visibility(image_view<const texel> map, image_view<const glm::vec3> points,
+                    image_view<const glm::vec3> normals, image_view<float> out, ParallelFor&& parallel = {}) const;
+
+    /// What the shader of in_shader.hpp takes.
+    /// @param frame   points that the shader is given are relative to its origin; far from the world's origin give the
+    ///                camera's place, and the light in double
+    [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
+        float reach = filter_.reach();
+        if constexpr (detail::reads_disc<Filter>) reach = filter_.farthest_point();
+        const float rounding = 0x1p-24f * static_cast<float>(glm::max(map_size_.x, map_size_.y));
+        const decoding_error both = encoding_.error();
+        const double error = set_up_.clip().direction == depth_direction::forward ? both.below : both.above;
+        return {set_up_.make_uniforms(map_size_, frame.origin),
+                {glm::vec2(map_size_), reach + rasterizer_snap<float> + rounding, static_cast<float>(error) + 0x1p-22f,
+                 detail::terms_of(filter_)}};
+    }
+
+private:
+    /// A place's coordinate, and its depth biased.
+    [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
+        const shadow_terms& terms = uniforms_.terms;
+        float bias = 0.0f;
+        if constexpr (detail::reads_disc<Filter>) bias = acne_free_disc_bias(place.slope, terms.reach, terms.error);
+        else bias = acne_free_bias(place.slope, terms.reach, terms.error);
+        return {place.at.x, place.at.y, biased(place.at.z, bias, filter_.is_lit)};
+    }
+    /// umbrage_look of in_shader.hpp.
+    [[nodiscard]] float look(image_view<const texel> map, const map_place& place, glm::ivec2 pixel) const {
+        const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
+        const glm::vec3 r = receiver(place);
+        if constexpr (SetUp::outside == outside_map::bordered)
+            return detail::filtered(filter_, decoded(bordered(own), encoding_), glm::vec2(r), r.z, pixel);
+        else return detail::filtered(filter_, decoded(clamped(own), encoding_), glm::vec2(r), r.z, pixel);
+    }
+
+    SetUp set_up_;
+    glm::ivec2 map_size_;
+    Filter filter_;
+    Encoding encoding_;
+    uniforms_type uniforms_{};
+};
+
+template <class Light, class Filter, class Encoding = depth32f>
+shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {})
+    -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
+
+template <shadow_set_up SetUp, detail::point_filter Filter, known_encoding Encoding>
+template <class ParallelFor>
+void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
+                                                 image_view<const glm::vec3> normals, image_view<float> out,
+                                                 ParallelFor&& parallel) const {
+    constexpr auto function = "shadow::visibility";
+    detail::require_size(map.size, size(), function, "map.size", "the shadow's size()");
+    detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
+    detail::require_size(out.size, points.size, function, "out.size", "the size of points");
+    if constexpr (requires { SetUp::place(uniforms_.maps, glm::vec3(), glm::vec3()); }) {
+        // one look-up a receiver: where each lies first, then all of them through the filter's fast form
+        image<glm::vec3> receivers(points.size);
+        parallel(out.size.y, [&](int first, int last) {
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < out.size.x; ++x)
+                    receivers[{x, y}] = receiver(SetUp::place(uniforms_.maps, points[{x, y}], normals[{x, y}]));
+        });
+        umbrage::visibility(map, encoding_, receivers, filter_, out, parallel, SetUp::outside);
+    } else {
+        parallel(out.size.y, [&](int first, int last) {
+            for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
+                for (p.x = 0; p.x < out.size.x; ++p.x) out[p] = (*this)(map, points[p], normals[p], p);
+        });
+    }
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/shadow/in_shader.hpp
+// A shadow in a shader: its block, its map and one function, in any language.
+//
+//     using namespace umbrage::glsl;
+//     std::string shader = source(version::v330, {bind(sun, "sun"), bind(lamp, "lamp", {.block = 1, .texture = 3})});
+//     // ... float visibility = umbrage_sun(world, normal) * umbrage_lamp(world, normal);
+//     auto bytes = sun.uniforms();  // what the block holds: copy sizeof bytes into its buffer
+//
+// hlsl::text, wgsl::text and msl::text take the same; in Metal block, map and sampler come first.
+
+namespace umbrage::glsl {
+
+/// How a shader holds a shadow's maps.
+struct shadow_slots {
+    int block = 0, texture = 1, sampler = 2, set = 0;  ///< see shader_slots
+    std::optional<glsl::texture> map{};  ///< none: texture_2d for one map, atlas for several. Or depth, shadow for one;
+                                         ///< array, depth_array, shadow_array for several
+};
+
+namespace detail {
+
+/// The texts of one shadow, and what they need: umbrage_look and umbrage_shadow, for its map alone.
+class shadow_texts {
+public:
+    template <class SetUp, class Filter, class Encoding>
+    shadow_texts(const shadow<SetUp, Filter, Encoding>& of, const map_choice& choice) {
+        constexpr bool disc = umbrage::detail::reads_disc<Filter>;
+        const Filter& filter = of.filter();
+        std::string parameters;
+        for (const uniform_field& f : SetUp::fields)
+            parameters += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
+        const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
+        const std::string pixel = turns<Filter> ? ", UMBRAGE_HIGHP vec2 pixel" : "";
+        const std::string bias = disc ? "acne_free_disc_bias" : "acne_free_bias";
+        look_text_ =
+            "\n// umbrage_look: visibility of a receiver in one map\n"
+            "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, " +
+            terms + "UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope" + pixel +
+            ") {\n"
+            "    UMBRAGE_HIGHP float bias = umbrage_" +
+            bias +
+            "(slope, terms.z, terms.w);\n"
+            "    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n"
+            "    return umbrage_" +
+            std::string(filter.snippet->name) + "(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver" +
+            arguments(filter) + ");\n}\n";
+        std::string body = SetUp::text(choice);
+        if (turns<Filter>)
+            for (auto i = body.find("umbrage_look("); i != body.npos; i = body.find("umbrage_look(", i)) {
+                i = body.find(";\n", i) - 1;
+                body.insert(i, ", pixel");
+            }
+        door_text_ =
+            "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
+            "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, " +
+            parameters + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" + body + "}\n";
+        look_needs_ = {disc ? &acne_free_disc_bias : &acne_free_bias, &biased, filter.snippet};
+        if (turns<Filter>) look_needs_.push_back(&disc_rotation);
+        look_.source = look_text_.c_str(), look_.needs = look_needs_;
+        door_needs_.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
+        door_needs_.push_back(&look_);
+        door_.source = door_text_.c_str(), door_.needs = door_needs_;
+    }
+    shadow_texts(const shadow_texts&) = delete;  // the snippets point into it
+
+    [[nodiscard]] const snippet& door() const { return door_; }
+
+    template <class Filter>
+    static constexpr bool turns = requires(const Filter& f, const umbrage::detail::any_fetch& fetch) {
+        f(fetch, glm::vec2(), 0.0f, glm::ivec2());
+    };
+
+private:
+    template <class Filter>
+    [[nodiscard]] static std::string arguments(const Filter&) {
+        std::string more;
+        if constexpr (requires(const Filter& f) { f.softness; })
+            more = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
+        else if constexpr (requires(const Filter& f) { f.radius_texels; }) more = ", filter_terms.x";
+        else if constexpr (requires(const Filter& f) { f.radius; }) more = ", int(filter_terms.x)";
+        return more + (turns<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
+    }
+
+    std::string look_text_, door_text_;
+    std::vector<const snippet*> look_needs_, door_needs_;
+    snippet look_{.name = "look", .source = ""}, door_{.name = "shadow", .source = ""};
+};
+
+}  // namespace detail
+
+/// A shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. Filters that turn from pixel
+/// to pixel take the position in pixels as a third argument: gl_FragCoord.xy.
+/// @param name    letters, digits, single underscores between them; another for each shadow of a shader
+/// @param slots   what it is bound to, and the kind of texture
+/// @throws std::invalid_argument   another name, a kind of texture that does not hold its maps, a filter that needs
+///                                 depths under a comparison sampler
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] bound bind(const shadow<SetUp, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
+    constexpr bool several = SetUp::grid != glm::ivec2(1);
+    const texture kind = slots.map.value_or(several ? texture::atlas : texture::texture_2d);
+    const bool layers = kind == texture::array || kind == texture::depth_array || kind == texture::shadow_array;
+    const bool plain = kind == texture::texture_2d || kind == texture::depth || kind == texture::shadow;
+    umbrage::detail::require(several ? layers || kind == texture::atlas : plain, "glsl::bind", "slots.map",
+                             several ? "atlas, array, depth_array or shadow_array, as the shadow has several maps"
+                                     : "texture_2d, depth or shadow, as the shadow has one map",
+                             static_cast<int>(kind));
+    umbrage::detail::require(!name.empty(), "glsl::bind", "name", "given", name);
+    binding map = stored_as(of.encoding());
+    map.texture = kind;
+    map.outside = SetUp::outside;
+    if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
+        map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
+    const auto texts = std::make_shared<const detail::shadow_texts>(of, map_choice{!layers, SetUp::tile});
+    bound item = bind(texts->door(), name, map);
+    shader_interface declared{std::string(name),
+                              {},
+                              {slots.block, slots.texture, slots.sampler, slots.set},
+                              detail::shadow_texts::turns<Filter>};
+    for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
+    for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
+    item.declared = std::make_shared<const shader_interface>(std::move(declared));
+    item.texts = texts;
+    return item;
+}
+
+}  // namespace umbrage::glsl
 
 // ---- umbrage/umbrage.hpp
 // All of umbrage: the primitives, functions over whole images, the texts of snippets. Includes only.

@@ -67,6 +67,30 @@ template <real T>
     return {clamp_slope(-q.x / q.z), clamp_slope(-q.y / q.z)};
 }
 
+/// Change of a receiver's depth from one texel to the next.
+/// @param normal   of the surface, any length; zero: a caller who has none, and biases in the depth pass
+/// @return         plane_slope; (0, 0) for a normal of zero
+/// @exactness      C, n = 27: S as plane_slope
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
+                                                      glm::vec<3, T> world) {
+    const bool none = normal.x == T(0) && normal.y == T(0) && normal.z == T(0);
+    return none ? glm::vec<2, T>(T(0), T(0)) : plane_slope(plane_matrix, normal, world);
+}
+
+/// The same in a cascade, where world and texels differ by a rotation, a scale and an offset.
+/// @param normal   of the surface, rotated into the light's directions, of any length; zero: a caller who has none
+/// @param scale    of the cascade
+/// @return         slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on, and for NaN
+/// @formula        -normal.xy scale.z / (normal.z scale.xy)
+/// @exactness      C, n = 6: a division
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
+    if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
+    return {clamp_slope(normal.x * -scale.z / (normal.z * scale.x)),
+            clamp_slope(normal.y * -scale.z / (normal.z * scale.y))};
+}
+
 /// The bias that rasterizers know, in a shader: so much a slope, on a base.
 ///
 /// @param slope      change of depth from one texel to the next
@@ -116,6 +140,42 @@ UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_
 )GLSL",
 };
 
+inline constexpr snippet receiver_slope{
+    .name = "receiver_slope",
+    .summary = "change of a receiver's depth from texel to texel",
+    .exactness = tier::c,
+    .operations = 27,
+    .needs = list<&plane_slope>,
+    .source = R"GLSL(
+// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                          UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? vec2(0.0, 0.0) : slope;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_slope{
+    .name = "cascade_slope",
+    .summary = "change of a plane's depth from texel to texel of a cascade",
+    .exactness = tier::c,
+    .operations = 6,
+    .needs = list<&clamp_slope>,
+    .source = R"GLSL(
+// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
+//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
+    return none ? vec2(0.0, 0.0) : slope;
+}
+)GLSL",
+};
+
 inline constexpr snippet slope_bias{
     .name = "slope_bias",
     .summary = "bias by the greater slope, as rasterizers have it",
@@ -135,7 +195,8 @@ UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &slope_bias};
+inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &receiver_slope, &cascade_slope,
+                                                 &slope_bias};
 
 }  // namespace glsl
 }  // namespace umbrage

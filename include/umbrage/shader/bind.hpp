@@ -9,6 +9,7 @@
 //
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,7 @@
 #include <umbrage/core/config.hpp>
 #include <umbrage/shader/binding.hpp>
 #include <umbrage/shader/chosen.hpp>
+#include <umbrage/shader/interface.hpp>
 
 namespace umbrage::glsl {
 
@@ -100,7 +102,9 @@ struct bound {
     snippet what;
     std::string suffix{};
     binding map{};
-    bool by_macros = true;  ///< in GLSL the hooks are macros of the shader's
+    bool by_macros = true;                               ///< in GLSL the hooks are macros of the shader's
+    std::shared_ptr<const shader_interface> declared{};  ///< of a shadow: what the text declares for it,
+    std::shared_ptr<const void> texts{};                 ///< and what keeps its snippets alive
 
     template <class = umbrage::detail::on_use>
     bound(const snippet& s) : what(s) {}

@@ -4,6 +4,7 @@
 //
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,8 @@ struct language {
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
     std::string_view function = "glsl::text";    ///< that a user calls
+    std::string (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
+    std::optional<version> dialect{};  ///< GLSL's, where it is known
 };
 
 /// One text in the making.
@@ -59,7 +62,18 @@ public:
                          : body;
             if (language_.preprocessor) text_ += "#endif\n";
         });
+        for (const bound& item : items_)
+            if (item.declared) declare(item);
         return std::move(text_);
+    }
+
+    /// Those of its parts that are not exact.
+    [[nodiscard]] std::vector<snippet> inexact() && {
+        std::vector<snippet> all;
+        for_each([&](const snippet& s, const bound&, const std::string&) {
+            if (s.exactness != tier::a) all.push_back(s);
+        });
+        return all;
     }
 
     /// The worst promise of what the text holds.
@@ -76,8 +90,7 @@ public:
 
 private:
     struct part {
-        std::string_view what;
-        std::string suffix, guard;
+        std::string what, suffix, guard;
     };
 
     /// Calls use(snippet, item, guard) for each part of the text, in order. What belongs to no map comes first: hooks
@@ -108,12 +121,32 @@ private:
         for (const part& done : done_) {
             if (done.guard != guard) continue;
             if (done.what == s.name && done.suffix == suffix) return;
-            umbrage::detail::refuse(
-                language_.function, "name", "such that functions differ, in capitals too",
-                ("umbrage_" + std::string(done.what) + done.suffix + " and umbrage_" + function).c_str());
+            umbrage::detail::refuse(language_.function, "name", "such that functions differ, in capitals too",
+                                    ("umbrage_" + done.what + done.suffix + " and umbrage_" + function).c_str());
         }
         use(s, item, guard);
-        done_.push_back({s.name, suffix, std::move(guard)});
+        done_.push_back({std::string(s.name), suffix, std::move(guard)});
+    }
+
+    /// A shadow's block, map and function, behind all that it calls.
+    void declare(const bound& item) {
+        const shader_interface& i = *item.declared;
+        umbrage::detail::require(language_.declare != nullptr, language_.function, "version",
+                                 "given for a shadow's uniforms", "none");
+        for (const part& done : done_)
+            if (done.what + done.suffix == i.name)
+                umbrage::detail::refuse(language_.function, "name", "another than a snippet's or shadow's of the text",
+                                        std::string_view(i.name));
+        map_parameter map;
+        const std::string parameters = parameters_of(item.map, language_.texture(item.map.texture));
+        for (const std::string_view parameter : members(parameters)) {
+            const std::string_view name = declared(parameter).front();
+            std::string one(parameter.substr(parameter.find_first_not_of(' ')));
+            if (name == "map") map.map = std::move(one);
+            if (name == "map_sampler") map.sampler = std::move(one);
+        }
+        text_ += language_.declare(i, map, language_.dialect.value_or(version::vulkan));
+        done_.push_back({i.name, {}, {}});
     }
 
     [[nodiscard]] bool keeps_macros(const bound& item) const { return language_.macros && item.by_macros; }
@@ -129,12 +162,15 @@ template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string bounds_note(const language& l, const std::vector<bound>& items) {
     std::string lines;
     for (const bound& item : items) {
+        const auto add = [&](const std::string& name, const snippet& promise) {
+            const std::string line = "// " + name + (promise.exactness == tier::b ? ", tier B: " : ", tier C: ") +
+                                     bound_in_words(promise) + '\n';
+            if (lines.find(line) == lines.npos) lines += line;
+        };
         const snippet worst = composition<Use>(l, {item}).worst();
-        if (worst.exactness == tier::a) continue;
-        const std::string line = "// " + std::string(item.what.name) + item.suffix +
-                                 (worst.exactness == tier::b ? ", tier B: " : ", tier C: ") + bound_in_words(worst) +
-                                 '\n';
-        if (lines.find(line) == lines.npos) lines += line;
+        if (item.declared)  // a chain, of which each part keeps its own bound
+            for (const snippet& part : composition<Use>(l, {item}).inexact()) add(std::string(part.name), part);
+        else if (worst.exactness != tier::a) add(std::string(item.what.name) + item.suffix, worst);
     }
     if (lines.find(" x S ") != lines.npos)
         lines +=
@@ -152,7 +188,8 @@ template <class Use = umbrage::detail::on_use>
                         ", MIT License";
     std::string names = ": ";
     for (const bound& item : items) {
-        const std::string name = std::string(item.what.name) + item.suffix + ", ";
+        const std::string name =
+            (item.declared ? item.declared->name : std::string(item.what.name) + item.suffix) + ", ";
         if (names.find(' ' + name) == names.npos) names += name;
     }
     names.resize(names.size() - 2);

@@ -110,6 +110,27 @@ template <class = umbrage::detail::on_use>
     return names;
 }
 
+/// What stands for a map in declarations: the binding's own parameters, or the kind's, with a sampler to gather by.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string parameters_of(const binding& map, const texture_words& words) {
+    if (!map.parameters.empty()) return map.parameters;
+    std::string all(words.parameters);
+    if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), words.sampler);
+    return all;
+}
+
+/// The parameters but for those that a text declares itself: the layer, or the origin, of a map that it chooses.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string not_declared_in(std::string_view text, const std::string& parameters) {
+    std::string rest;
+    for (const std::string_view parameter : members(parameters)) {
+        const std::string name = ' ' + std::string(declared(parameter).front());
+        const bool chosen = text.find(name + " = ") != text.npos || text.find(name + ": ") != text.npos;
+        if (!chosen) rest.append(rest.empty() ? "" : ",").append(parameter);
+    }
+    return rest;
+}
+
 /// A snippet's text with what a map fills in.
 /// @throws std::invalid_argument   own parameters that leave out what is read, or take a name that the text has
 template <class = umbrage::detail::on_use>
@@ -132,13 +153,10 @@ template <class = umbrage::detail::on_use>
     }
     const std::string own_map = name_of_map(text);
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
-    const auto with_sampler = [&](std::string_view ordinary, std::string_view sampler) {
-        std::string all(ordinary);
-        if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), sampler);
-        return all;
-    };
-    const std::string ordinary = with_sampler(words.arguments, words.sampler_argument);
-    const std::string parameters = one_of(map.parameters, with_sampler(words.parameters, words.sampler));
+    std::string ordinary(words.arguments);
+    if (map.gather)
+        ordinary.insert(umbrage::detail::lesser(ordinary.find(','), ordinary.size()), words.sampler_argument);
+    const std::string parameters = parameters_of(map, words);
     const std::string arguments = one_of(map.arguments, ordinary);
     umbrage::detail::require(members(parameters).size() == members(arguments).size(), "glsl::bind", "map.arguments",
                              "as many as map.parameters", arguments, "The parameters are " + parameters + ".");
@@ -180,7 +198,7 @@ template <class = umbrage::detail::on_use>
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
         if (word == own_map && !comment) return list(arguments);
-        if (word == "UMBRAGE_PARAMETERS") return list(parameters);
+        if (word == "UMBRAGE_PARAMETERS") return list(not_declared_in(text, parameters));
         if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);

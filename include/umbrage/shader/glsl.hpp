@@ -202,6 +202,8 @@ template <class Use = umbrage::detail::on_use>
     const std::string known_prelude = detail::known_prelude<Use>(*v), name = "GLSL " + std::string(directive(*v));
     detail::language known = detail::glsl_language<Use>;
     known.prelude = known_prelude;
+    known.declare = detail::glsl_interface;
+    known.dialect = v;
     known.may_reorder = detail::has_precise(*v) ? std::string_view() : std::string_view(name);
     return detail::resolved<Use>(detail::compose<Use>(known, items), detail::number(*v));
 }

@@ -118,7 +118,8 @@ inline constexpr glsl::detail::language language{
         [](const glsl::snippet& s) {
             return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
         },
-    .function = "hlsl::text"};
+    .function = "hlsl::text",
+    .declare = glsl::detail::hlsl_interface};
 
 }  // namespace detail
 

@@ -134,7 +134,8 @@ inline constexpr glsl::detail::language language{
         [](const glsl::snippet& s) {
             return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
         },
-    .function = "msl::text"};
+    .function = "msl::text",
+    .declare = glsl::detail::msl_interface};
 
 }  // namespace detail
 

@@ -124,7 +124,8 @@ inline constexpr glsl::detail::language language{.prelude = "",
                                                  .translate = translate<Use>,
                                                  .may_reorder = "WGSL",
                                                  .preprocessor = false,
-                                                 .function = "wgsl::text"};
+                                                 .function = "wgsl::text",
+                                                 .declare = glsl::detail::wgsl_interface};
 
 }  // namespace detail
 

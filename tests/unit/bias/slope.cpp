@@ -36,6 +36,28 @@ std::vector<light_space<T>> lights() {
 
 }  // namespace
 
+TEST_CASE_TEMPLATE("receiver_slope: of a plane, or none without a normal", T, float, double) {
+    using vec = glm::vec<3, T>;
+    for (const light_space<T>& light : lights<T>()) {
+        const auto planes = plane_matrix(texture_matrix(light, {512, 256}));
+        const vec normal(T(0.2), 1, T(-0.1)), world(T(0.3), 0, T(0.1));
+        CHECK(receiver_slope(planes, normal, world) == plane_slope(planes, normal, world));
+        CHECK(receiver_slope(planes, vec(0), world) == glm::vec<2, T>(0));
+    }
+}
+
+TEST_CASE_TEMPLATE("cascade_slope: plane_slope of a map that is a rotation, a scale and an offset", T, float, double) {
+    const glm::vec<4, T> scale(T(3), T(-5), T(0.25), T(0)), offset(T(7), T(1), T(0.5), T(0));
+    glm::mat<4, 4, T> to_texels(1);
+    for (glm::length_t i = 0; i < 3; ++i) to_texels[i][i] = scale[i], to_texels[3][i] = offset[i];
+    const glm::vec<3, T> normal(T(0.2), T(-0.4), T(1.5));
+    const auto got = cascade_slope(normal, scale);
+    const auto expected = plane_slope(plane_matrix(to_texels), normal, glm::vec<3, T>(T(0.3), T(2), T(1)));
+    CHECK(glm::length(got - expected) < T(1e-6));
+    CHECK(cascade_slope(glm::vec<3, T>(0), scale) == glm::vec<2, T>(0));
+    CHECK(cascade_slope(glm::vec<3, T>(1, 1, 0), scale) == glm::vec<2, T>(-2, 2));  // edge-on
+}
+
 TEST_CASE_TEMPLATE("plane_slope: the plane through three projected points", T, float, double) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> coordinate(-1, 1), tilt(-1, 1);

@@ -84,6 +84,20 @@ template <real T>
     return {-p.x, -p.y, -p.z};
 }
 
+/// A point or a vector in a face's axes: cube_point's inverse.
+/// @param face   0 .. 5;   p  from the cube's middle
+/// @return       (sc, tc, distance along the face's axis)
+/// @exactness    A: selects
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_face_point(T face, glm::vec<3, T> p) {
+    if (face < T(0.5)) return {-p.z, -p.y, p.x};
+    if (face < T(1.5)) return {p.z, -p.y, -p.x};
+    if (face < T(2.5)) return {p.x, p.z, p.y};
+    if (face < T(3.5)) return {p.x, -p.z, -p.y};
+    if (face < T(4.5)) return {p.x, -p.y, p.z};
+    return {-p.x, -p.y, -p.z};
+}
+
 /// Where on its face a direction meets the cube.
 /// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
 /// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
@@ -194,6 +208,21 @@ UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP ve
 )GLSL",
 };
 
+inline constexpr snippet cube_face_point{
+    .name = "cube_face_point",
+    .summary = "a point in a face's axes",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_face_point: (sc, tc, distance along its axis) in a face, 0.0 to 5.0, of a point from the cube's middle
+UMBRAGE_HIGHP vec3 umbrage_cube_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(-p.z, -p.y, p.x) : vec3(p.z, -p.y, -p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+)GLSL",
+};
+
 inline constexpr snippet cube_coordinate{
     .name = "cube_coordinate",
     .summary = "face, and where on it, that a direction meets",
@@ -258,8 +287,9 @@ UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP flo
 )GLSL",
 };
 
-inline constexpr const snippet* cube_map_snippets[]{&cube_face,       &cube_view_z,    &cube_plane,    &cube_point,
-                                                    &cube_coordinate, &cube_direction, &cube_neighbor, &cube_tile};
+inline constexpr const snippet* cube_map_snippets[]{&cube_face,      &cube_view_z,     &cube_plane,
+                                                    &cube_point,     &cube_face_point, &cube_coordinate,
+                                                    &cube_direction, &cube_neighbor,   &cube_tile};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -25,6 +25,25 @@ void add_bias_slope(std::vector<entry>& all) {
              },
          .call = "vec4(umbrage_plane_slope(mat4(x2, x3, x4, x5), vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), "
                  "0.0, 0.0)"});
+    auto normals = spread(normal_point_matrix, special);
+    normals.push_back({"no normal", [spread = normals[0].fill](std::uint64_t i, random& r, sample& s) {
+                           spread(i, r, s);
+                           s.x[0].x = s.x[0].y = s.x[0].z = 0.0f;
+                       }});
+    all.push_back(
+        {.primitive = &glsl::receiver_slope,
+         .classes = normals,
+         .twin =
+             [](const sample& s) {
+                 const glm::mat4 planes(s.x[2], s.x[3], s.x[4], s.x[5]);
+                 return vec4(receiver_slope(planes, vec3(s.x[0]), vec3(s.x[1])), 0.0f, 0.0f);
+             },
+         .call = "vec4(umbrage_receiver_slope(mat4(x2, x3, x4, x5), vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), "
+                 "0.0, 0.0)"});
+    all.push_back({.primitive = &glsl::cascade_slope,
+                   .classes = normals,
+                   .twin = [](const sample& s) { return vec4(cascade_slope(vec3(s.x[0]), s.x[1]), 0.0f, 0.0f); },
+                   .call = "vec4(umbrage_cascade_slope(vec3(x0.x, x0.y, x0.z), x1), 0.0, 0.0)"});
     all.push_back({.primitive = &glsl::slope_bias,
                    .classes = spread({{-0.1f, 0.1f}, {-0.1f, 0.1f}, {0.0f, 9.0f}, {0.0f, 0.1f}}, special),
                    .twin = [](const sample& s) { return vec4(slope_bias(vec2(s.x[0]), s.x[0].z, s.x[0].w)); },

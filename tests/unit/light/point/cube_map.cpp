@@ -107,6 +107,7 @@ TEST_CASE("cube_view_z, cube_plane, cube_point: a direction's parts and back, wi
         const float m = cube_view_z(direction);
         CHECK(m == std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}));
         CHECK(cube_point(p.z, glm::vec3(glm::vec2(p), m)) == direction);
+        CHECK(cube_face_point(p.z, direction) == glm::vec3(glm::vec2(p), m));
     }
 }
 

@@ -77,6 +77,11 @@ void add_light_point_cube_map(std::vector<entry>& all) {
                    .classes = points_on_faces(),
                    .twin = [](const sample& s) { return vec4(cube_point(s.x[0].z, vec3(vec2(s.x[0]), 2.0f)), 1.0f); },
                    .call = "vec4(umbrage_cube_point(x0.z, vec3(x0.x, x0.y, 2.0)), 1.0)"});
+    all.push_back(
+        {.primitive = &glsl::cube_face_point,
+         .classes = points_on_faces(),
+         .twin = [](const sample& s) { return vec4(cube_face_point(s.x[0].z, vec3(vec2(s.x[0]), 2.0f)), 1.0f); },
+         .call = "vec4(umbrage_cube_face_point(x0.z, vec3(x0.x, x0.y, 2.0)), 1.0)"});
     all.push_back({.primitive = &glsl::cube_neighbor,
                    .classes = {{"inside and beyond", cube_texels}},
                    .twin = [](const sample& s) { return vec4(cube_neighbor(vec3(s.x[0]), s.x[0].w), 1.0f); },

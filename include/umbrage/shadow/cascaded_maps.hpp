@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// Cascades of a directional light, up to four: a map each, the first that holds a receiver and its filter, and near its
+// border a blend with the next.
+//
+//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
+//     umbrage::shadow sun(cascades, {1024, 1024}, umbrage::filters::tent<3>);
+//     umbrage::shadow hard_changes(umbrage::cascaded_maps(cascades, 0.0f), {1024, 1024}, umbrage::filters::tent<3>);
+//
+#pragma once
+
+#include <array>
+
+#include <umbrage/bias/slope.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/light/cascades/blend.hpp>
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/shadow/set_up.hpp>
+
+namespace umbrage {
+
+struct cascaded_maps {
+    std::vector<cascade<double>> cascades;
+    float blend_texels;  ///< width of the band along a map's border in which the next one takes over; 0: none
+
+    /// @throws std::invalid_argument  blend_texels negative or not finite
+    template <real T, std::size_t Count>
+    explicit cascaded_maps(const std::array<cascade<T>, Count>& all, float blend = 16.0f) : blend_texels(blend) {
+        static_assert(Count >= 1 && Count <= 4, "a shadow takes one to four cascades");
+        detail::require(is_finite(blend) && blend >= 0.0f, "cascaded_maps", "blend", "finite, 0 or more", blend);
+        for (const cascade<T>& c : all)
+            cascades.push_back({detail::in_double(c.light), glm::dvec4(c.scale), glm::dvec4(c.offset), c.begin, c.end});
+    }
+
+    struct uniforms {
+        glm::mat4 rotation;         ///< world to the light's directions
+        glm::mat4 scales, offsets;  ///< columns: a cascade's each, as cascade_by_projection takes them
+        glm::vec4 blending{
+            0};  ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last cascade's number
+    };
+    static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
+    static constexpr glm::ivec2 grid{2, 2};
+    static constexpr outside_map outside = outside_map::bordered;
+    static constexpr std::string_view tile = glsl::cascade_tile.name;
+
+    [[nodiscard]] clip_space clip() const { return cascades.front().light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const {
+        std::vector<light_space<double>> all;
+        for (const cascade<double>& c : cascades) all.push_back(c.light);
+        return all;
+    }
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2, glm::dvec3 origin) const {
+        const glm::dmat4 rotation = cascades.front().light.view;
+        const glm::dvec3 start(rotation * glm::dvec4(origin, 1.0));
+        uniforms u{glm::mat4(glm::dmat3(rotation)), glm::mat4(0), glm::mat4(0), glm::vec4(0)};
+        for (glm::length_t i = 0; i < 4; ++i) {
+            u.offsets[i] = {65536.0f, 65536.0f, 0.0f, 0.0f};  // nothing falls into a cascade that is not there
+            if (i >= static_cast<glm::length_t>(cascades.size())) continue;
+            const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
+            u.scales[i] = c.scale;
+            u.offsets[i] = glm::dvec4(glm::dvec3(c.offset) + start * glm::dvec3(c.scale), 0.0);
+        }
+        u.blending = {blend_texels > 0.0f ? 1.0f / blend_texels : 0.0f, static_cast<float>(cascades.size() - 1), 0, 0};
+        return u;
+    }
+
+    template <class Look>
+    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms& terms, glm::vec3 world,
+                                          glm::vec3 normal, const Look& look) {
+        const glm::vec3 light(shadow_coordinate(u.rotation, world)), across(shadow_coordinate(u.rotation, normal));
+        const glm::vec4 found = cascade_by_projection(light, u.scales, u.offsets, terms.map_size, terms.reach);
+        const float last = u.blending.y, number = found.w < last ? found.w : last;
+        const glm::vec4 scale = cascade_column(u.scales, number);
+        const float nearer = look(map_place{int(number), glm::vec3(found), cascade_slope(across, scale)});
+        const float weight = u.blending.x > 0.0f && found.w <= last
+                                 ? cascade_border_fade(glm::vec2(found), terms.map_size, terms.reach, u.blending.x)
+                                 : 0.0f;
+        if (!(weight > 0.0f)) return nearer;
+        const float next = number + 1.0f < last ? number + 1.0f : last;
+        const glm::vec4 next_scale = cascade_column(u.scales, next);
+        const glm::vec3 at = cascade_coordinate(light, next_scale, cascade_column(u.offsets, next));
+        const float farther = number < last ? look(map_place{int(next), at, cascade_slope(across, next_scale)}) : 1.0f;
+        return blend_cascades(nearer, farther, weight);
+    }
+    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
+        return R"GLSL(
+    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, world);
+    UMBRAGE_HIGHP vec4 across = umbrage_shadow_coordinate(rotation, normal);
+    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
+    UMBRAGE_HIGHP vec3 normal_there = vec3(across.x, across.y, across.z);
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    UMBRAGE_HIGHP float number = min(found.w, blending.y);
+    UMBRAGE_HIGHP vec4 scale = umbrage_cascade_column(scales, number);
+)GLSL" + choice.first("number") +
+               R"GLSL(    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(normal_there, scale);
+    UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope);
+    UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
+    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column(scales, next);
+    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
+)GLSL" + choice.again("next") +
+               R"GLSL(    UMBRAGE_HIGHP float farther = 1.0;
+    if (weight > 0.0 && number < blending.y) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale));
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+)GLSL";
+    }
+    static constexpr const auto& needs =
+        glsl::list<&glsl::shadow_coordinate, &glsl::cascade_by_projection, &glsl::cascade_column, &glsl::cascade_slope,
+                   &glsl::cascade_coordinate, &glsl::cascade_border_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
+};
+
+template <real T, std::size_t Count>
+struct set_up_for<std::array<cascade<T>, Count>> {
+    using type = cascaded_maps;
+};
+
+}  // namespace umbrage

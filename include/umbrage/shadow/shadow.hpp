@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+//
+// A light's shadow as one value: set-up, size of its maps, filter, encoding. It knows its bias, its border, the
+// direction of its depth and what its texels may be off by.
+//
+//     const umbrage::shadow sun(light, {1024, 1024}, umbrage::filters::tent<3>);
+//     umbrage::image<float> map(sun.size(), sun.cleared());  // on the CPU; a GPU has its own texture
+//     sun.draw(map, {positions, triangles});
+//     float visibility = sun(map, world, normal);            // 1 lit
+//
+// In a shader the same, bit for bit where its parts are: in_shader.hpp. Each step by hand: texture_matrix,
+// shadow_coordinate, project_coordinate, receiver_slope, acne_free_bias, biased, then the filter of bordered(map).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/depth/depth32f.hpp>
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/images/encode.hpp>
+#include <umbrage/images/parallel.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/visibility.hpp>
+#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/single_map.hpp>
+
+namespace umbrage {
+
+/// Where a frame's world begins: points of the world are given less that.
+struct frame_origin {
+    glm::dvec3 origin{0};
+};
+
+/// A shadow's uniforms as its shader wants them: copy the bytes.
+template <shadow_set_up SetUp>
+struct shadow_uniforms {
+    typename SetUp::uniforms maps;
+    shadow_terms terms;
+};
+
+namespace detail {
+
+/// A filter's numbers, as a block holds them.
+[[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter) {
+    if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
+    else if constexpr (requires { filter.radius_texels; }) return {filter.radius_texels, 0.0f, 0.0f, 0.0f};
+    else if constexpr (requires { filter.radius; }) return {static_cast<float>(filter.radius), 0.0f, 0.0f, 0.0f};
+    else return glm::vec4(0.0f);
+}
+
+/// Whether a filter reads a disc's points, whose bias is another.
+template <class Filter>
+inline constexpr bool reads_disc = requires(const Filter& f) {
+    f.farthest_point();
+};
+
+/// Filters whose coordinate and receiver are all that they ask of a point.
+template <class Filter>
+concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f);
+} && !requires(const Filter& f) { f.offsets; }
+&&!requires(const Filter& f) { f.epsilon; };
+
+}  // namespace detail
+
+template <shadow_set_up SetUp, detail::point_filter Filter, known_encoding Encoding = depth32f>
+class shadow {
+public:
+    using texel = typename Encoding::texel;
+    using uniforms_type = shadow_uniforms<SetUp>;
+    static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
+
+    /// @param light      a light_space, an array of cascades, a point_light, or a set-up of your own
+    /// @param map_size   of one map, texels, each >= 1
+    /// @param filter     one of filters::; the direction of depth is the light's
+    /// @param encoding   how the map's texels hold depth; its direction is the light's
+    /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or below twice the filter's
+    ///                                reach; what the set-up complains of
+    template <class Light>
+    shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
+        : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
+        detail::require_given(set_up_.clip(), "shadow", "light.clip");
+        detail::require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+        filter_.is_lit.direction = encoding_.direction = set_up_.clip().direction;
+        detail::require(2.0f * filter_.reach() <= static_cast<float>(glm::min(map_size.x, map_size.y)), "shadow",
+                        "map_size", "twice the filter's reach or more", map_size,
+                        "The filter reaches " + detail::printed(filter_.reach()) + " texels to each side.");
+        uniforms_ = uniforms();
+    }
+
+    [[nodiscard]] const SetUp& set_up() const { return set_up_; }
+    [[nodiscard]] const Filter& filter() const { return filter_; }
+    [[nodiscard]] const Encoding& encoding() const { return encoding_; }
+
+    /// Of the image or texture that holds all maps, texels.
+    [[nodiscard]] glm::ivec2 size() const { return map_size_ * SetUp::grid; }
+    /// Of one map; a texture array has this size.
+    [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
+    /// What an empty map holds: the far plane.
+    [[nodiscard]] texel cleared() const { return encoding_.cleared(); }
+
+    /// Draws a mesh into the maps' depths, each map's own view of it, nearer depths winning.
+    /// @param depths   of size(), cleared to cleared_depth of the light's clip space, or drawn into before
+    /// @throws std::invalid_argument  depths of another size, and what rasterize_depth complains of
+    template <class ParallelFor = serial>
+    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
+        detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
+        const auto lights = set_up_.lights();
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            rasterize_depth(depths.region(detail::first_texel(int(i), SetUp::grid, map_size_), map_size_), mesh,
+                            glm::mat4(lights[i].projection * lights[i].view), lights[i].clip, cull_mode::none,
+                            parallel);
+    }
+
+    /// A receiver's visibility.
+    /// @param map      of size(), texels of the encoding, drawn for this light
+    /// @param world    the receiver; NaN is lit
+    /// @param normal   of its surface, any length: the bias is what its plane asks for. Zero: none, for maps whose
+    ///                 depth pass was biased (make_polygon_offset)
+    /// @param pixel    where filters that turn from pixel to pixel (discs, contact hardening) take their turn from
+    /// @return         0 in shadow, 1 lit; outside all maps, behind the light and beyond the far plane 1
+    /// @throws std::invalid_argument  map of another size
+    /// @exactness      the worst of its parts: C, as project_coordinate; cascades B
+    [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
+                                   glm::ivec2 pixel = {}) const {
+        detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
+        return SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal,
+                                 [&](const map_place& place) { return look(map, place, pixel); });
+    }
+
+    /// Visibility of an image of receivers.
+    /// @param points, normals   of one size, see operator()
+    /// @param out               of that size
+    /// @param parallel          cuts the rows into pieces, see parallel.hpp
+    /// @throws std::invalid_argument  sizes differ, map of another size
+    template <class ParallelFor = serial>
+    void visibility(image_view<const texel> map, image_view<const glm::vec3> points,
+                    image_view<const glm::vec3> normals, image_view<float> out, ParallelFor&& parallel = {}) const;
+
+    /// What the shader of in_shader.hpp takes.
+    /// @param frame   points that the shader is given are relative to its origin; far from the world's origin give the
+    ///                camera's place, and the light in double
+    [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
+        float reach = filter_.reach();
+        if constexpr (detail::reads_disc<Filter>) reach = filter_.farthest_point();
+        const float rounding = 0x1p-24f * static_cast<float>(glm::max(map_size_.x, map_size_.y));
+        const decoding_error both = encoding_.error();
+        const double error = set_up_.clip().direction == depth_direction::forward ? both.below : both.above;
+        return {set_up_.make_uniforms(map_size_, frame.origin),
+                {glm::vec2(map_size_), reach + rasterizer_snap<float> + rounding, static_cast<float>(error) + 0x1p-22f,
+                 detail::terms_of(filter_)}};
+    }
+
+private:
+    /// A place's coordinate, and its depth biased.
+    [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
+        const shadow_terms& terms = uniforms_.terms;
+        float bias = 0.0f;
+        if constexpr (detail::reads_disc<Filter>) bias = acne_free_disc_bias(place.slope, terms.reach, terms.error);
+        else bias = acne_free_bias(place.slope, terms.reach, terms.error);
+        return {place.at.x, place.at.y, biased(place.at.z, bias, filter_.is_lit)};
+    }
+    /// umbrage_look of in_shader.hpp.
+    [[nodiscard]] float look(image_view<const texel> map, const map_place& place, glm::ivec2 pixel) const {
+        const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
+        const glm::vec3 r = receiver(place);
+        if constexpr (SetUp::outside == outside_map::bordered)
+            return detail::filtered(filter_, decoded(bordered(own), encoding_), glm::vec2(r), r.z, pixel);
+        else return detail::filtered(filter_, decoded(clamped(own), encoding_), glm::vec2(r), r.z, pixel);
+    }
+
+    SetUp set_up_;
+    glm::ivec2 map_size_;
+    Filter filter_;
+    Encoding encoding_;
+    uniforms_type uniforms_{};
+};
+
+template <class Light, class Filter, class Encoding = depth32f>
+shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {})
+    -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
+
+template <shadow_set_up SetUp, detail::point_filter Filter, known_encoding Encoding>
+template <class ParallelFor>
+void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
+                                                 image_view<const glm::vec3> normals, image_view<float> out,
+                                                 ParallelFor&& parallel) const {
+    constexpr auto function = "shadow::visibility";
+    detail::require_size(map.size, size(), function, "map.size", "the shadow's size()");
+    detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
+    detail::require_size(out.size, points.size, function, "out.size", "the size of points");
+    if constexpr (requires { SetUp::place(uniforms_.maps, glm::vec3(), glm::vec3()); }) {
+        // one look-up a receiver: where each lies first, then all of them through the filter's fast form
+        image<glm::vec3> receivers(points.size);
+        parallel(out.size.y, [&](int first, int last) {
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < out.size.x; ++x)
+                    receivers[{x, y}] = receiver(SetUp::place(uniforms_.maps, points[{x, y}], normals[{x, y}]));
+        });
+        umbrage::visibility(map, encoding_, receivers, filter_, out, parallel, SetUp::outside);
+    } else {
+        parallel(out.size.y, [&](int first, int last) {
+            for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
+                for (p.x = 0; p.x < out.size.x; ++p.x) out[p] = (*this)(map, points[p], normals[p], p);
+        });
+    }
+}
+
+}  // namespace umbrage

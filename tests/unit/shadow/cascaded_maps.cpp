@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+#include <umbrage/shadow/cascaded_maps.hpp>
+
+#include "scene.hpp"
+
+using namespace umbrage;
+
+TEST_CASE("cascaded_maps: uniforms are those of make_cascade_uniforms") {
+    const auto all = shadow_scene::cascades(unity_clip_space);
+    const auto u = cascaded_maps(all).make_uniforms({256, 256}, glm::dvec3(0));
+    const auto plain = make_cascade_uniforms(all, 0.0f);
+    CHECK(u.rotation == plain.rotation);
+    CHECK(u.scales == plain.scales);
+    for (glm::length_t i = 0; i < 3; ++i) CHECK(glm::vec3(u.offsets[i]) == glm::vec3(plain.offsets[i]));
+    CHECK(u.blending == glm::vec4(1.0f / 16.0f, 2, 0, 0));
+}
+
+TEST_CASE("cascaded_maps: the next cascade takes over towards a border, without a step") {
+    const auto all = shadow_scene::cascades(cpu_clip_space);
+    const cascaded_maps of(all, 16.0f);
+    const auto u = of.make_uniforms({256, 256}, glm::dvec3(0));
+    const shadow_terms terms{.map_size = glm::vec2(256), .reach = 1.0f};
+    float before = -1, most = 0;
+    int both = 0;
+    for (float x = -40; x < 40; x += 0x1p-8f) {
+        int looks = 0;
+        const float number = cascaded_maps::visibility(u, terms, {x, 0, 5}, {0, 1, 0}, [&](const map_place& place) {
+            ++looks;
+            return float(place.number);
+        });
+        both += looks == 2;
+        if (before >= 0) most = glm::max(most, glm::abs(number - before));
+        before = number;
+    }
+    CHECK(both > 100);
+    CHECK(most < 0.07f);  // a step of the weights, or two
+}
+
+TEST_CASE("cascaded_maps: without blending one look-up, also where no cascade holds a point") {
+    const cascaded_maps of(shadow_scene::cascades(cpu_clip_space), 0.0f);
+    const auto u = of.make_uniforms({256, 256}, glm::dvec3(0));
+    const shadow_terms terms{.map_size = glm::vec2(256), .reach = 1.0f};
+    for (const float x : {0.0f, 20.0f, 1e6f}) {
+        int looks = 0;
+        static_cast<void>(cascaded_maps::visibility(u, terms, {x, 0, 0}, {0, 1, 0}, [&](const map_place& place) {
+            CHECK(place.number >= 0);
+            CHECK(place.number <= 2);
+            return ++looks, 1.0f;
+        }));
+        CHECK(looks == 1);
+    }
+    CHECK_THROWS_AS(cascaded_maps(shadow_scene::cascades(cpu_clip_space), -1.0f), std::invalid_argument);
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// A floor with a table over it, and lights of every set-up above: what the tests of shadows draw.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/point/point_light.hpp>
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/shadow/cascaded_maps.hpp>
+#include <umbrage/shadow/cube_maps.hpp>
+#include <umbrage/shadow/shadow.hpp>
+
+namespace shadow_scene {
+
+using namespace umbrage;
+
+inline const std::vector<glm::vec3> positions{{-20, 0, -20}, {20, 0, -20}, {20, 0, 20}, {-20, 0, 20},
+                                              {-1, 2, -1},   {1, 2, -1},   {1, 2, 1},   {-1, 2, 1}};
+inline const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+inline const mesh_view mesh{positions, triangles};
+inline const bounding_box<float> bounds{{-20, 0, -20}, {20, 2, 20}};
+inline constexpr glm::vec3 up(0, 1, 0);
+
+[[nodiscard]] inline light_space<float> spot(clip_space clip) {
+    return make_spot_light<float>({.position = {0.5f, 8, 0.25f},
+                                   .direction = {0, -1, 0},
+                                   .up = {0, 0, 1},
+                                   .outer_angle_radians = 1.2f,
+                                   .clip = clip});
+}
+[[nodiscard]] inline light_space<float> fitted(clip_space clip) {
+    return fit_directional_light<float>({.direction = {0.1f, -1, 0.1f}, .receivers = bounds, .clip = clip});
+}
+[[nodiscard]] inline point_light<float> bulb(clip_space clip, int map_size = 256) {
+    return {.position = {0.5f, 8, 0.25f}, .map_size = map_size, .border = 8, .clip = clip};
+}
+[[nodiscard]] inline std::array<cascade<float>, 3> cascades(clip_space clip) {
+    const cascade_fit<float> fit{
+        .camera = {.position = {0, 3, 15}, .direction = {0, 0, -1}, .up = up, .tan_half_x = 1, .tan_half_y = 1},
+        .direction = {0.1f, -1, 0.1f},
+        .up = {0, 0, 1},
+        .scene = bounds,
+        .map_size = 256,
+        .margin = 4,
+        .overlap = 0.1f,
+        .clip = clip};
+    return make_stable_cascades<3>(fit, practical_splits<3>(0.5f, 60.0f, 0.9f));
+}
+
+/// Calls use(shadow) for each set-up under a filter and an encoding.
+template <class Filter, class Encoding, class Use>
+void for_each_shadow(clip_space clip, const Filter& filter, const Encoding& encoding, const Use& use) {
+    use(shadow(spot(clip), {256, 128}, filter, encoding));
+    use(shadow(fitted(clip), {200, 300}, filter, encoding));
+    use(shadow(cascades(clip), {256, 256}, filter, encoding));
+    use(shadow(bulb(clip), {256, 256}, filter, encoding));
+}
+
+/// Its map: depths drawn, and stored as its encoding has them.
+template <class Shadow>
+[[nodiscard]] image<typename Shadow::texel> drawn(const Shadow& s) {
+    image<float> depths(s.size(), cleared_depth(s.set_up().clip()));
+    s.draw(depths, mesh);
+    image<typename Shadow::texel> map(s.size(), s.cleared());
+    encode(depths.view(), map.view(), s.encoding());
+    return map;
+}
+
+}  // namespace shadow_scene

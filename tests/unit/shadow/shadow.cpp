@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include <umbrage/depth/rg.hpp>
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/shadow/shadow.hpp>
+
+#include "../images/last_piece_first.hpp"
+#include "scene.hpp"
+
+using namespace umbrage;
+using namespace shadow_scene;
+
+namespace {
+
+constexpr clip_space shadow_clips[]{opengl_clip_space, direct3d_clip_space, unity_clip_space, cpu_clip_space};
+
+template <class Make>
+std::string refused(const Make& make) {
+    try {
+        make();
+    } catch (const std::invalid_argument& e) { return e.what(); }
+    return "accepted";
+}
+
+/// Points on and above the floor, among them NaN, far away, below, behind the light.
+image<glm::vec3> some_points() {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> anywhere(-12, 12);
+    image<glm::vec3> points({67, 40});
+    for (glm::vec3& p : points.texels()) p = {anywhere(random), 0.0f, anywhere(random)};
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    points[{1, 1}] = glm::vec3(nan), points[{2, 1}] = glm::vec3(0.5f, 8, 0.25f), points[{3, 1}] = glm::vec3(1e30f);
+    points[{4, 1}] = glm::vec3(0, -300, 0), points[{5, 1}] = glm::vec3(0, 300, 0), points[{6, 1}].y = nan;
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("shadow: dark under a table, lit elsewhere, for every set-up, clip space and direction of depth") {
+    for (const clip_space clip : shadow_clips)
+        for_each_shadow(clip, filters::tent<3>, depth32f{}, [&](const auto& s) {
+            image<float> map(s.size(), s.cleared());
+            s.draw(map, mesh);
+            CHECK(s(map, {0, 0, 0}, up) == 0.0f);
+            CHECK(s(map, {0, 2, 0}, up) == 1.0f);  // the table's own top
+            int dark = 0;
+            for (int i = 0; i < 20000; ++i) {
+                const glm::vec3 p(float(i % 141) * 0.28f - 19.7f, 0, float(i / 141) * 0.28f - 19.7f);
+                if (glm::abs(p.x) > 4 || glm::abs(p.z) > 4) dark += s(map, p, up) < 1.0f;
+            }
+            CHECK(dark == 0);
+        });
+}
+
+TEST_CASE("shadow: filters and encodings take the light's direction of depth") {
+    for (const clip_space clip : {cpu_clip_space, unity_clip_space}) {
+        const auto check = [&](const auto& filter, const auto& encoding) {
+            for_each_shadow(clip, filter, encoding, [&](const auto& s) {
+                const auto map = drawn(s);
+                CHECK(s(map, {0, 0, 0}, up) < 0.5f);
+                CHECK(s(map, {7, 0, 6}, up) == 1.0f);
+                CHECK(s(map, {0, 2, 0}, up) == 1.0f);
+            });
+        };
+        for_each_filter([&](const auto& filter) {
+            if constexpr (detail::point_filter<std::remove_cvref_t<decltype(filter)>>) check(filter, rg<16>{});
+        });
+        filters::soft::for_each([&](const auto& filter) { check(filter, depth32f{}); });
+        check(filters::pcf_2x2{}, depth32f{});
+        check(filters::pcf_2x2{}, rg<11>{});
+    }
+}
+
+TEST_CASE("shadow: a whole image has the bits of its receivers alone, in pieces of any order") {
+    const auto points = some_points();
+    image<glm::vec3> normals(points.size(), up);
+    normals[{9, 9}] = glm::vec3(0), normals[{10, 9}] = glm::vec3(3, 1, -2);
+    const auto check = [&](const auto& filter, const auto& encoding) {
+        for_each_shadow(unity_clip_space, filter, encoding, [&](const auto& s) {
+            const auto map = drawn(s);
+            image<float> out(points.size()), split(points.size());
+            s.visibility(map, points, normals, out);
+            s.visibility(map, points, normals, split, last_piece_first{5});
+            int wrong = 0;
+            for (int y = 0; y < out.size().y; ++y)
+                for (int x = 0; x < out.size().x; ++x) {
+                    const glm::ivec2 p(x, y);
+                    const auto alone = std::bit_cast<std::uint32_t>(s(map, points[p], normals[p], p));
+                    wrong += std::bit_cast<std::uint32_t>(out[p]) != alone;
+                    wrong += std::bit_cast<std::uint32_t>(split[p]) != alone;
+                }
+            CHECK(wrong == 0);
+        });
+    };
+    check(filters::tent<3>, depth32f{});
+    check(filters::disc<16>, rg<11>{});
+    check(filters::pcss{}, depth32f{});
+}
+
+TEST_CASE("shadow: each step by hand gives the same bits") {
+    const light_space<float> light = spot(cpu_clip_space);
+    const filters::box filter{.radius = 2};
+    const rg<11> encoding;
+    const shadow s(light, {256, 128}, filter, encoding);
+    const auto map = drawn(s);
+
+    const glm::dmat4 in_double =
+        texture_matrix<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip}, {256, 128});
+    const glm::mat4 to_texels(in_double), planes(plane_matrix(in_double));
+    const float reach = filter.reach() + rasterizer_snap<float> + 256.0f * 0x1p-24f;
+    const float error = float(encoding.error().below) + 0x1p-22f;
+    const auto points = some_points();
+    for (const glm::vec3& world : points.texels()) {
+        const glm::vec3 p = project_coordinate(shadow_coordinate(to_texels, world));
+        const float bias = acne_free_bias(receiver_slope(planes, up, world), reach, error);
+        const float by_hand = filter(decoded(bordered(map), encoding), glm::vec2(p), biased(p.z, bias));
+        CHECK(s(map, world, up) == by_hand);
+    }
+}
+
+TEST_CASE("shadow: points relative to an origin see what the world sees") {
+    const auto points = some_points();
+    for_each_shadow(cpu_clip_space, filters::hard{}, depth32f{}, [&](const auto& s) {
+        const glm::dvec3 origin(1000, 0, -2000);
+        const auto here = s.uniforms(), there = s.uniforms({.origin = origin});
+        for (const glm::vec3& world : points.texels()) {
+            if (!(glm::abs(world.x) < 13 && glm::abs(world.y) < 1)) continue;
+            using set_up = std::remove_cvref_t<decltype(s.set_up())>;
+            glm::vec3 a(0), b(0);
+            const auto keep = [](glm::vec3& to) {
+                return [&to](const map_place& place) { return to = place.at, 0.0f; };
+            };
+            static_cast<void>(set_up::visibility(here.maps, here.terms, world, up, keep(a)));
+            static_cast<void>(
+                set_up::visibility(there.maps, there.terms, glm::vec3(glm::dvec3(world) - origin), up, keep(b)));
+            CHECK(glm::length(glm::vec2(a) - glm::vec2(b)) < 0.05f);  // floats of 2000 have steps of 2^-13
+            CHECK(glm::abs(a.z - b.z) < 1e-4f);
+        }
+    });
+}
+
+TEST_CASE("shadow: bad input") {
+    const light_space<float> light = spot(cpu_clip_space);
+    const shadow s(light, {64, 32}, filters::pcf_2x2{});
+    image<float> map(s.size(), s.cleared());
+    CHECK(refused([&] {
+              (void)shadow(light_space<float>{}, {64, 64}, filters::hard{});
+          }).starts_with("umbrage::shadow: light.clip must be given"));
+    CHECK(refused([&] {
+              (void)shadow(light, {64, 0}, filters::hard{});
+          }) == "umbrage::shadow: map_size must be above 0; got 64 x 0");
+    CHECK(
+        refused([&] {
+            (void)shadow(light, {64, 8}, filters::box{.radius = 4});
+        }) ==
+        "umbrage::shadow: map_size must be twice the filter's reach or more; got 64 x 8. The filter reaches 4.5 texels "
+        "to each side.");
+    CHECK(refused([&] {
+              (void)s(image<float>({64, 64}), {0, 0, 0}, up);
+          }) == "umbrage::shadow: map.size must be the shadow's size(), 64 x 32; got 64 x 64");
+    image<float> other({32, 32});
+    CHECK(refused([&] { s.draw(other, mesh); }).starts_with("umbrage::shadow::draw: depths.size must be"));
+    const image<glm::vec3> points({4, 4});
+    CHECK(refused([&] {
+              s.visibility(map, points, image<glm::vec3>({4, 5}), other);
+          }).starts_with("umbrage::shadow::visibility: normals.size must be"));
+    CHECK(refused([&] {
+              s.visibility(map, points, points, other);
+          }).starts_with("umbrage::shadow::visibility: out.size must be"));
+
+    s.draw(map, {});  // no triangles: nothing is in shadow
+    CHECK(s(map, {0, 0, 0}, up) == 1.0f);
+    s.draw(map, mesh);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    CHECK(s(map, {nan, 0, 0}, up) == 1.0f);
+    CHECK(s(map, {0, 0, 0}, glm::vec3(nan)) == 1.0f);  // no slope is known: the bias lights it
+    CHECK(s(map, {0, 0, 0}, glm::vec3(0)) == 0.0f);    // no normal: the constant part of the bias alone
+}
