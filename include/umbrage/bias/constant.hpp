@@ -25,7 +25,7 @@ template <real T>
 ///
 /// @param receiver   depth; NaN stays NaN, in shadow
 /// @param bias       in depth: towards the light above 0, away from it below; of 2^64 and more, and NaN: none
-/// @param is_lit     less_equal, greater_equal or comparison: the filter's own
+/// @param is_lit     less_equal, greater_equal or comparison: comparison{encoding.direction}, or the is_lit of a filter
 /// @return           the receiver that a filter compares
 /// @formula          receiver - bias; receiver + bias where depth is reversed
 /// @exactness        B, n = 1: one sum

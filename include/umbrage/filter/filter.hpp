@@ -5,7 +5,8 @@
 //     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
 //     float visibility = filter(umbrage::bordered(map), coord, depth - bias);
 //
-// The library's own are listed in filters.hpp. Functions over images take any callable like them.
+// The library's own are listed in filters.hpp. Functions over images take any callable like them, and give its is_lit
+// the direction of the map's encoding: only with a fetch of your own, as above, does the filter have to be told.
 #pragma once
 
 #include <concepts>

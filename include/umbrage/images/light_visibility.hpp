@@ -148,14 +148,14 @@ struct placing_of<dual_paraboloid_light<float>> {
 /// Visibility of points from a light of several maps.
 ///
 /// @param map         its texels, and the light that they were drawn for
-/// @param encoding    how the texels hold depth; its edge decides ties
+/// @param encoding    how the texels hold depth, and which way it runs; its edge decides ties
 /// @param points      in the world, biased; what no cascade holds is lit, NaN too
-/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable as for
-///                    visibility. Texels beyond a tile are clamped to it: take the filter's reach as the light's border
+/// @param filter      as for visibility of a single map. Texels beyond a tile are clamped to it: take the filter's
+///                    reach as the light's border
 /// @param out         visibility, 1 lit; same size as points
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ, texels of another size than the light's tiles, filter and encoding of
-///                                different directions of depth, and what the light's make_ function complains of
+/// @throws std::invalid_argument  sizes differ, texels of another size than the light's tiles, and what the light's
+///                                make_ function complains of
 /// @exactness         the bits of the filter over each point's map: cascade_by_projection; cube_face or
 ///                    tetrahedron_face and that face's texture_matrix; dual_paraboloid_coordinate and distance_depth
 template <class Encoding, class Light, class Filter, class ParallelFor = serial>
@@ -164,7 +164,6 @@ void visibility(const light_map<typename Encoding::texel, Light>& map, const Enc
                 ParallelFor&& parallel = {}) {
     static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
     constexpr auto function = "visibility";
-    detail::require_one_direction(encoding, filter);
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     float reach = 0.0f;
     if constexpr (requires { filter.reach(); }) reach = filter.reach();
@@ -173,12 +172,13 @@ void visibility(const light_map<typename Encoding::texel, Light>& map, const Enc
     detail::require(place.size >= 1, function, "map.texels.size", "that of the light's tiles", map.texels.size);
     detail::require_size(map.texels.size, glm::ivec2(placing::columns, placing::rows) * place.size, function,
                          "map.texels.size", "that of the light's tiles");
+    const auto& directed = detail::in_direction(filter, detail::direction_of(encoding, filter));
     parallel(out.size.y, [&](int first, int last) {
         for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
             for (p.x = 0; p.x < out.size.x; ++p.x) {
                 const detail::placed_receiver r = place(points[p]);
                 const auto tile = map.texels.region(r.tile, glm::ivec2(place.size));
-                out[p] = detail::filtered(filter, decoded(clamped(tile), encoding), glm::vec2(r.at), r.at.z, p);
+                out[p] = detail::filtered(directed, decoded(clamped(tile), encoding), glm::vec2(r.at), r.at.z, p);
             }
     });
 }

@@ -102,21 +102,21 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
                     "of slots that the atlas has", glm::ivec2(entry));
     const auto table = [&](glm::ivec2 cell) { return map.table[cell]; };
     const auto page = static_cast<float>(map.size.texels), gutter = static_cast<float>(map.size.gutter);
+    const auto& directed = in_direction(filter, direction_of(encoding, filter));
     for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float depth, glm::ivec2 pixel) {
         const glm::vec4 at = page_coordinate(table, static_cast<float>(side), coord, page, gutter);
         const auto texels = map.atlas.region(glm::ivec2(at.z, at.w), glm::ivec2(pitch));
-        visibility = filtered(filter, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
+        visibility = filtered(directed, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
     });
 }
 
 }  // namespace detail
 
 /// @param map         atlas, table and the pages' size, which draw_pages and write_page_table were given
-/// @param encoding    how the atlas' texels hold depth; its edge decides ties
+/// @param encoding    how the atlas' texels hold depth, and which way it runs; its edge decides ties
 /// @param receivers   (x, y) from 1 to 2 across the root, z depth, biased; what has no page, and what lies beside the
 ///                    root, is lit
-/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable as for
-///                    visibility; it does not read beyond a page and its gutter
+/// @param filter      as for visibility of a single map; it does not read beyond a page and its gutter
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ, a table that is no square of a power of two and 2 or has slots

@@ -63,26 +63,26 @@ UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_wa
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
-/// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
+/// @throws std::invalid_argument  sizes differ, an empty map
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const sloped_receivers& receivers, const Filter& filter, image_view<float> out,
                 ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
-    detail::require_one_direction(encoding, filter);
     detail::require_size(out.size, detail::size_of(receivers, "visibility"), "visibility", "out.size",
                          "the receivers' size");
     detail::require(!map.empty(), "visibility", "map.size", "above 0", map.size);
     if (out.empty()) return;
-    const float cleared = detail::far_depth(encoding, filter);
-    const depth_direction direction = cleared > 0.5f ? depth_direction::forward : depth_direction::reversed;
+    const depth_direction direction = detail::direction_of(encoding, filter);
+    const auto& directed = detail::in_direction(filter, direction);
+    const float cleared = cleared_depth(direction);
     const bool has_border = outside == outside_map::bordered;
     const auto clamped_map = decoded(clamped(map), encoding);
     const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
     const detail::erased_fetch fetch = has_border ? detail::erase(bordered_map) : detail::erase(clamped_map);
     const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
         const glm::vec2 slope(receivers.slope_x[pixel], receivers.slope_y[pixel]);
-        return detail::filtered(filter, apply_receiver_plane(fetch, slope, coord, direction), coord, receiver, pixel);
+        return detail::filtered(directed, apply_receiver_plane(fetch, slope, coord, direction), coord, receiver, pixel);
     };
     bool done = false;
     if constexpr (detail::has_plane_form<Filter>) {
@@ -96,8 +96,8 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
         };
         done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, filter, out.size, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
+                form::template with_blocks<depth_direction::forward>(texels, directed, out.size, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, directed, out.size, parallel, rows);
         });
     }
     if (done) return;

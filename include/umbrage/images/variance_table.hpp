@@ -16,6 +16,8 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/core/check.hpp>
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/compare.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
@@ -29,7 +31,7 @@ namespace umbrage {
 struct variance_table {
     int bits = 11;    ///< of a depth's code, 1 to 12
     int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 };
 
 /// Sums of a map's codes, of distance from the near plane, and of their squares, for summed_variance.
@@ -47,11 +49,12 @@ template <class ParallelFor = serial>
     detail::require(!map.empty(), function, "map.size", "above 0", map.size);
     detail::require(of.bits >= 1 && of.bits <= 12, function, "bits", "from 1 to 12", of.bits);
     detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
+    const comparison is_lit{of.direction};
     image<std::uint32_t> codes(map.size), sums(map.size);
     std::uint32_t least = 65535, greatest = 0;
     for (int y = 0; y < map.size.y; ++y)
         for (int x = 0; x < map.size.x; ++x) {
-            const auto code = static_cast<std::uint32_t>(distance_code(map.row(y)[x], of.is_lit)) >> (16 - of.bits);
+            const auto code = static_cast<std::uint32_t>(distance_code(map.row(y)[x], is_lit)) >> (16 - of.bits);
             codes[{x, y}] = code;
             least = detail::lesser(least, code), greatest = detail::greater(greatest, code);
         }
@@ -103,12 +106,13 @@ void visibility(image_view<const glm::u16vec4> table, const variance_table& of, 
                        radius, "Make the table with this radius.");
     const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
     const auto codes = static_cast<float>(1 << of.bits), reach = static_cast<float>(radius);
+    const comparison is_lit{of.direction};
     parallel(out.size.y, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < out.size.x; ++x) {
                 const glm::vec3 r = receivers.row(y)[x];
                 out.row(y)[x] =
-                    summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit, outside);
+                    summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, is_lit, outside);
             }
     });
 }

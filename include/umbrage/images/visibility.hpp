@@ -166,22 +166,22 @@ void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& 
                       });
 }
 
-/// Refuses a filter and an encoding that take a map's depth to run opposite ways: one of them would see all in shadow.
+/// The direction of a map's depth: its encoding's, or the filter's where the encoding has none.
 template <class Encoding, class Filter>
-void require_one_direction(const Encoding& encoding, const Filter& filter) {
-    if constexpr (requires { filter.is_lit.direction == encoding.direction; }) {
-        const bool reversed = encoding.direction == depth_direction::reversed;
-        require(filter.is_lit.direction == encoding.direction, "visibility", "filter.is_lit.direction",
-                reversed ? "the encoding's, reversed" : "the encoding's, forward", reversed ? "forward" : "reversed",
-                "Give both the map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}.");
-    }
+[[nodiscard]] depth_direction direction_of(const Encoding& encoding, const Filter& filter) {
+    if constexpr (requires { encoding.direction; }) return encoding.direction;
+    else if constexpr (requires { filter.is_lit.direction; }) return filter.is_lit.direction;
+    else return depth_direction::forward;
 }
 
-/// The far plane's depth, as the filter or else the encoding knows it.
-template <class Encoding, class Filter>
-[[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
-    if constexpr (requires { filter.is_lit.direction; }) return cleared_depth(filter.is_lit.direction);
-    else return far_depth(encoding);
+/// The filter, comparing in the direction of the map's depth. A callable without is_lit is passed on.
+template <class Filter>
+[[nodiscard]] decltype(auto) in_direction(const Filter& filter, [[maybe_unused]] depth_direction direction) {
+    if constexpr (requires(Filter own) { own.is_lit.direction = direction; }) {
+        Filter own = filter;
+        own.is_lit.direction = direction;
+        return own;
+    } else return filter;
 }
 
 /// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
@@ -221,33 +221,34 @@ template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
-    require_one_direction(encoding, filter);
     require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
     require(!map.empty(), "visibility", "map.size", "above 0", map.size);
     if (out.empty()) return;
+    const depth_direction direction = direction_of(encoding, filter);
+    const auto& directed = in_direction(filter, direction);
     const auto clamped_map = decoded(clamped(map), encoding);
-    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, far_depth(encoding, filter)};
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared_depth(direction)};
     if constexpr (has_block_form<Filter>) {
         using form = block_form<Filter>;
         const erased_fetch bordered = erase(bordered_map);
         const bool has_border = outside == outside_map::bordered;
         const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-            return filtered(filter, bordered, coord, receiver, pixel);
+            return filtered(directed, bordered, coord, receiver, pixel);
         };
         const map_edge edge(alone, filter.reach(), map.size, has_border, has_border);
         const auto rows = [&](const auto& blocks) {
             parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
         };
         const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
-            if (filter.is_lit.direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, filter, out.size, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
+            if (direction == depth_direction::forward)
+                form::template with_blocks<depth_direction::forward>(texels, directed, out.size, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, directed, out.size, parallel, rows);
         });
-        if (!done) filter_each(receivers, filter, has_border ? bordered : erase(clamped_map), out, parallel);
+        if (!done) filter_each(receivers, directed, has_border ? bordered : erase(clamped_map), out, parallel);
     } else if (outside == outside_map::bordered) {
-        filter_each(receivers, filter, bordered_map, out, parallel);
+        filter_each(receivers, directed, bordered_map, out, parallel);
     } else {
-        filter_each(receivers, filter, clamped_map, out, parallel);
+        filter_each(receivers, directed, clamped_map, out, parallel);
     }
 }
 
@@ -256,12 +257,12 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// @param map         shadow map, texels of the encoding
 /// @param encoding    how the map's texels hold depth, and which way it runs; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
-/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
-///                    (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides, an ivec2
+/// @param filter      one of filters::, which compares in the encoding's direction whatever its is_lit says, or any
+///                    callable (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
 /// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
-/// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
+/// @throws std::invalid_argument  sizes differ, an empty map
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,

@@ -116,7 +116,7 @@ TEST_CASE("visibility: the filter over each receiver's page, for every form of r
     for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
         const paged_scene scene({.range = umbrage::depth_range::zero_to_one, .direction = direction});
         const auto receivers = scene.receivers();
-        const umbrage::filters::pcf_2x2 filter{.is_lit = {direction}};
+        const umbrage::filters::pcf_2x2 filter;
         const umbrage::depth32f encoding{.direction = direction};
         umbrage::image<float> out(receivers.size(), -1.0f), split(out), planes(out);
         const umbrage::page_map<float> map{scene.atlas, scene.table, scene.size};
@@ -134,7 +134,8 @@ TEST_CASE("visibility: the filter over each receiver's page, for every form of r
             const auto in_table = [&](glm::ivec2 cell) { return scene.table[cell]; };
             const glm::vec4 at = umbrage::page_coordinate(in_table, 18.0f, glm::vec2(r), 16.0f, 4.0f);
             const auto page = std::as_const(scene.atlas).view().region(glm::ivec2(at.z, at.w), glm::ivec2(24));
-            const float one = umbrage::pcf_2x2(umbrage::clamped(page), glm::vec2(at), r.z, filter.is_lit);
+            const float one =
+                umbrage::pcf_2x2(umbrage::clamped(page), glm::vec2(at), r.z, umbrage::comparison{direction});
             const float found = out.texels()[i];
             if (found != one || split.texels()[i] != one || planes.texels()[i] != one) FAIL_CHECK(i);
             dark += one == 0.0f, between += one > 0.0f && one < 1.0f;

@@ -88,7 +88,8 @@ TEST_CASE("make_variance_table: the widest spread that it takes comes back whole
 TEST_CASE("visibility from a variance table: the primitive for each receiver") {
     const image<float> map = evenly_random_depths({90, 70}, 0.2f, 0.8f);
     for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
-        const variance_table of{.bits = 10, .radius = 9, .is_lit = {direction}};
+        const variance_table of{.bits = 10, .radius = 9, .direction = direction};
+        const comparison is_lit{direction};
         const auto table = make_variance_table(map.view(), of);
         image<glm::vec3> receivers({80, 60});
         for (int y = 0; y < 60; ++y)
@@ -103,7 +104,7 @@ TEST_CASE("visibility from a variance table: the primitive for each receiver") {
                 const glm::vec3 r = receivers[{x, y}];
                 const bool inside = map_covers(glm::vec2(map.size()), glm::vec2(r));
                 const float wanted = summed_variance([&](glm::ivec2 t) { return glm::vec4(table[t]); }, map.size(),
-                                                     glm::vec2(r), r.z, 9.0f, 1024.0f, of.is_lit, outside_map::clamped);
+                                                     glm::vec2(r), r.z, 9.0f, 1024.0f, is_lit, outside_map::clamped);
                 wrong += at_edge[{x, y}] != wanted;
                 wrong += out[{x, y}] != (inside ? wanted : 1.0f);
                 outside += !inside && wanted < 1.0f;

@@ -109,9 +109,6 @@ TEST_CASE("messages: of images") {
     says("decode", "depth.size", "640 x 480", [&] { decode<rg<11>>(texels.view(), map.view(), rg<11>{}); });
     says("visibility", "out.size", differ,
          [&] { visibility(map.view(), depth32f{}, receivers.view(), filters::hard{}, small.view()); });
-    says("visibility", "filter.is_lit.direction", "forward", [&] {
-        visibility(map.view(), depth32f{depth_direction::reversed}, receivers.view(), filters::hard{}, map.view());
-    });
     says("visibility", "map.size", "0 x 0", [&] { visibility(image<glm::vec2>(), prefilters::vsm{}, receivers, map); });
     says("visibility", "out.size", differ, [&] { visibility(moments, prefilters::vsm{}, receivers, small); });
     says("visibility", "table.size", "0 x 0",

@@ -25,7 +25,7 @@ struct box {
 std::int64_t code_of(float depth, const variance_table& of) {
     const auto x =
         std::min(static_cast<std::int64_t>(double(depth) * std::ldexp(1.0, of.bits)), (std::int64_t(1) << of.bits) - 1);
-    return of.is_lit(0.0f, 1.0f) ? x : (std::int64_t(1) << of.bits) - 1 - x;
+    return of.direction == depth_direction::forward ? x : (std::int64_t(1) << of.bits) - 1 - x;
 }
 
 /// The box around a texel, clipped to the map, texel by texel.
@@ -71,11 +71,12 @@ void check(const variance_table& of, glm::ivec2 size) {
         wrong += m != glm::dvec4(double(mean), double(rest), double(squared >> 12), double(squared & 4095));
         wrong += glm::dvec4(m32) != m;
 
-        const bool forward = of.is_lit(0.0f, 1.0f);
+        const bool forward = of.direction == depth_direction::forward;
         const float receiver = static_cast<float>(random() % 8193) / 8192.0f;
         const double t = double(codes) * (forward ? double(receiver) : 1.0 - double(receiver));
         const float seen = summed_variance([&](glm::ivec2 at) { return glm::vec4(table[at]); }, size, coord, receiver,
-                                           static_cast<float>(radius), codes, of.is_lit, umbrage::outside_map::clamped);
+                                           static_cast<float>(radius), codes, umbrage::comparison{of.direction},
+                                           umbrage::outside_map::clamped);
         worst = std::max(worst, std::abs(double(seen) - chebyshev(b, t)));
         int lit = 0;
         for (int v = b.first.y; v < b.end.y; ++v)
@@ -94,9 +95,9 @@ void check(const variance_table& of, glm::ivec2 size) {
 
 TEST_CASE("box_moments, summed_variance: wide integers, tables wrapped often, and never darker than the lit share") {
     check({.bits = 11, .radius = 16}, {401, 300});  // squares' sums pass 2^32 a hundred times
-    check({.bits = 8, .radius = 40, .is_lit = {depth_direction::reversed}}, {201, 97});
+    check({.bits = 8, .radius = 40, .direction = depth_direction::reversed}, {201, 97});
     check({.bits = 12, .radius = 5}, {64, 65});
-    check({.bits = 1, .radius = 3, .is_lit = {depth_direction::reversed}}, {7, 1});
+    check({.bits = 1, .radius = 3, .direction = depth_direction::reversed}, {7, 1});
 }
 
 TEST_CASE("summed_variance: two depths by hand, and what is out of range") {

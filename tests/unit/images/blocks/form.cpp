@@ -68,7 +68,7 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
     const auto against = [&](const one_by_one& wanted, const auto& receivers, bands parallel,
                              umbrage::outside_map outside = umbrage::outside_map::clamped) {
         check_each_path(wanted, [&](image<float>& out) {
-            umbrage::visibility(map.view(), encoding, receivers, filter, out, parallel, outside);
+            umbrage::visibility(map.view(), encoding, receivers, contrary(filter), out, parallel, outside);
         });
     };
     against(clamped, of.receivers, bands{7});

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/simd/dispatch.hpp>
 
@@ -62,6 +63,17 @@ void for_each_path(const std::vector<int>& modes, Use&& use) {
 template <class Use>
 void for_each_path(Use&& use) {
     for_each_path(rounding_modes(), use);
+}
+
+/// The filter with the other direction in its is_lit, which the map's overrules.
+template <class Filter>
+Filter contrary(Filter filter) {
+    using umbrage::depth_direction;
+    if constexpr (requires { filter.is_lit.direction; }) {
+        const bool forward = filter.is_lit.direction == depth_direction::forward;
+        filter.is_lit.direction = forward ? depth_direction::reversed : depth_direction::forward;
+    }
+    return filter;
 }
 
 /// As many pieces, the last first.

@@ -52,7 +52,7 @@ int check(const Filter& filter, const scene& of, umbrage::outside_map outside) {
     int differ = 0, partly = 0;
     for_each_path([&] {
         image<float> out(of.receivers.size());
-        umbrage::visibility(of.map, encoding, of.receivers, filter, out, bands{3}, outside);
+        umbrage::visibility(of.map, encoding, of.receivers, contrary(filter), out, bands{3}, outside);
         for (int y = 0; y < out.size().y; ++y)
             for (int x = 0; x < out.size().x; ++x) {
                 const glm::vec3 r = of.receivers[{x, y}];

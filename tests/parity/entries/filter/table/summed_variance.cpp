@@ -56,7 +56,7 @@ void add_summed_variance(std::vector<entry>& all, Compare is_lit, depth_directio
             .call =
                 "vec4(umbrage_summed_variance(map, map_size, vec2(x0.x, x0.y), x0.z, x0.w < 0.0 ? 0.0 : x0.w, "
                 "1024.0))",
-            .maps = variance_tables({.bits = 10, .radius = 9, .is_lit = {direction}}, 0.0f),
+            .maps = variance_tables({.bits = 10, .radius = 9, .direction = direction}, 0.0f),
             .map_kind = {.direction = direction, .outside = outside},
             .alike = direction == depth_direction::reversed};
     all.push_back(std::move(e));
