@@ -6,6 +6,7 @@
 #     make unit T=filter/pcf/box   builds and runs one header's unit tests; without T all of them
 #     make gpu     what this machine's GPU computes beside C++: a page for each API, build/gpu/report-*.md
 #     make lint    the rules of the house that scripts hold
+#     make format  formats all C++ files
 #     make users   the unit tests as users compile them: part of make prove
 #     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
@@ -15,11 +16,12 @@
 #
 # Each installs the Debian packages that it lacks first. The work itself is CMake's: see CMakePresets.json.
 
+unit_packages := cmake doctest-dev g++ libglm-dev ninja-build
 build_packages := cmake g++ libglm-dev ninja-build pkg-config
 demo_packages := $(build_packages) libassimp-dev libboost-dev libcli11-dev libdeflate-dev libstb-dev
 gallery_packages := $(demo_packages) libegl-dev libepoxy-dev libgl1-mesa-dri libglfw3-dev # the latter for OpenGL
 node_packages := $(if $(shell command -v npm),,nodejs npm) # npm from wherever it is
-test_packages := $(demo_packages) clang-14 libc++-13-dev libc++abi-13-dev doctest-dev glslang-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
+test_packages := $(demo_packages) clang-14 clang-format-14 libc++-13-dev libc++abi-13-dev doctest-dev glslang-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
     libvulkan-dev mesa-vulkan-drivers \
     libepoxy-dev libglfw3-dev xauth xvfb \
     g++-aarch64-linux-gnu qemu-user \
@@ -68,7 +70,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu lint newest-clang demo gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test unit gpu lint format newest-clang demo gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -80,8 +82,8 @@ test:
 
 unit: program = unit.$(subst /,.,$(T))
 unit:
-	$(call install,$(test_packages))
-	@test -f build/dev/build.ninja || cmake --preset dev
+	$(call install,$(unit_packages))
+	@test -f build/dev/build.ninja || { cmake --preset dev && echo "Unit tests need nothing of what is skipped here; make test installs it."; }
 	cmake --build --preset dev --target $(if $(T),$(program),unit)
 	$(if $(T),build/dev/tests/$(program),ctest --preset dev -R '^unit/')
 
@@ -102,10 +104,15 @@ gpu:
     esac
 
 lint:
-	$(call install,$(test_packages))
+	$(call install,$(unit_packages) clang-format-14)
 	@test -f build/dev/build.ninja || cmake --preset dev
 	cmake --build --preset dev --target lint.mirror
 	ctest --preset dev -R '^lint/'
+
+# As lint/format asks for.
+format:
+	$(call install,clang-format-14)
+	find include tests examples -name '*.[ch]pp' -exec clang-format-14 -i {} +
 
 newest-clang:
 	$(if $(newest_clang),$(call install,$(newest_clang)))
