@@ -80,6 +80,10 @@ inline std::uint32_t of_code(const umbrage::rgb10&, std::uint32_t x) {
     return x / 16384 + x / 16 % 1024 * 1024 + x % 16 * 64 * 1048576 + 3221225472u;
 }
 inline std::uint16_t of_code(const umbrage::r16&, std::uint32_t x) { return static_cast<std::uint16_t>(x); }
+template <class Encoding>
+typename Encoding::texel of_code(const Encoding&, std::uint32_t) {
+    static_assert(sizeof(Encoding) == 0, "add above how this encoding lays out a code: of_code");
+}
 
 /// The integers that a shader makes values of.
 template <class Encoding>
@@ -118,6 +122,10 @@ T decode(const umbrage::rgb10&, glm::vec3 c, T edge) {
 template <class From, class T>
 T decode(const umbrage::r16&, From from, T edge) {
     return umbrage::decode_r16(from, edge);
+}
+template <class Encoding, class From, class T>
+T decode(const Encoding&, From, T) {
+    static_assert(sizeof(Encoding) == 0, "add above how this encoding's decode_* is called, of a texel and as sampled");
 }
 
 template <int Bits>

@@ -90,7 +90,8 @@ int main(int argc, char** argv) try {
     if (argv[1] == std::string("tier_a"))
         for (const umbrage::glsl::snippet* s : umbrage::glsl::registry())
             if (s->exactness == umbrage::glsl::tier::a && !tried.count(std::string(s->name))) {
-                std::cout << "missing from tier_a.cpp: " << s->name << '\n';
+                std::cout << "missing: add run(\"" << s->name
+                          << "\", ...) to suite::all in tests/proof/hostile/tier_a.cpp\n";
                 good = false;
             }
     return good ? 0 : 1;
