@@ -142,6 +142,8 @@ prove:
 	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_fits hostile_aarch64 unit
 	ctest --preset dev -R "^hostile/|^unit/simd/"
 	@$(MAKE) --no-print-directory users
+	$(configure_bench)
+	cmake --build build/bench --target bench bench_series bench_compare
 
 # All unit tests as users compile them, who leave it to the compiler what it fuses; and what each C++ twin gives, whose
 # bits may not change in tier A. With -ffast-math only that is promised: it lists what else changes.
