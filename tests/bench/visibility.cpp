@@ -127,7 +127,7 @@ const bench::registration rows([] {
                         },
                     .agree = {}});
     }
-    umbrage::filters::rotated_disc disc = umbrage::filters::disc<16>;
+    umbrage::filters::disc disc{.points = 16};
     disc.radius_texels = 3.0f;
     std::array<glm::vec2, 16> points;
     std::ranges::transform(umbrage::disc_points<16>, points.begin(), [](glm::ivec2 p) { return glm::vec2(p) / 16.0f; });

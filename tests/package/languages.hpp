@@ -20,17 +20,17 @@ namespace package {
 namespace glsl = umbrage::glsl;
 
 struct shader_language {
-    std::string_view name, folder, extension;
+    std::string_view name, extension;
     const glsl::detail::language* words;
     std::string (*text)(const std::vector<glsl::bound>& items);
 };
 
 inline const std::array languages{
-    shader_language{"glsl", "glsl", ".glsl", &glsl::detail::glsl_language<>,
+    shader_language{"glsl", ".glsl", &glsl::detail::glsl_language<>,
                     [](const std::vector<glsl::bound>& items) { return glsl::text(items); }},
-    shader_language{"hlsl", "hlsl", ".hlsl", &umbrage::hlsl::detail::language<>, umbrage::hlsl::text<>},
-    shader_language{"msl", "metal", ".metal", &umbrage::msl::detail::language<>, umbrage::msl::text<>},
-    shader_language{"wgsl", "wgsl", ".wgsl", &umbrage::wgsl::detail::language<>, umbrage::wgsl::text<>},
+    shader_language{"hlsl", ".hlsl", &umbrage::hlsl::detail::language<>, umbrage::hlsl::text<>},
+    shader_language{"msl", ".metal", &umbrage::msl::detail::language<>, umbrage::msl::text<>},
+    shader_language{"wgsl", ".wgsl", &umbrage::wgsl::detail::language<>, umbrage::wgsl::text<>},
 };
 
 struct named_texture {

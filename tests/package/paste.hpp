@@ -213,7 +213,7 @@ inline std::vector<pasted> for_comparison_samplers() {
 
 inline void write_shaders(const fs::path& folder, const std::string& copyright) {
     for (const shader_language& l : languages) {
-        const std::string joined = std::string(l.folder) + (l.words->preprocessor ? "" : "_joined");
+        const std::string joined = std::string(l.name) + (l.words->preprocessor ? "" : "_joined");
         std::vector<pasted> files = for_comparison_samplers();
         for (const snippet* s : glsl::registry()) files.push_back({std::string(s->name), s->summary, {*s}});
         for (const pasted& p : files)
@@ -224,8 +224,8 @@ inline void write_shaders(const fs::path& folder, const std::string& copyright) 
         for (const snippet* s : glsl::registry()) collect(*s, parts);
         for (const snippet* part : parts) {
             const std::string name(part->name), file = name + std::string(l.extension);
-            write(folder / l.folder / file, with_head(l, copyright, name, summary_of(*part), {*part},
-                                                      one_function(l, *part, joined + '/' + file)));
+            write(folder / l.name / file, with_head(l, copyright, name, summary_of(*part), {*part},
+                                                    one_function(l, *part, joined + '/' + file)));
         }
     }
 }

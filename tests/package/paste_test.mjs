@@ -42,12 +42,12 @@ for (const { language, file, name, text, lines, head } of files) {
     if (reads && snippets[name]?.role === 'none') check(/^\/\/ Map: `.*map/m.test(head) && head.includes('one sample. Clear to'), file, 'its map');
     check(!file.includes('_shadow') || head.includes('receiver <= '), file, 'its comparison');
 }
-for (const [name, { write, writes, format, channels, cleared }] of Object.entries(encodings)) {
+for (const [name, { writer, writes, format, channels, cleared }] of Object.entries(encodings)) {
     if (writes === 'depth') continue;
     const most = { R16: 65535, RGB10_A2: 1023 }[format] ?? 255, integers = cleared.map(channel => Math.round(channel * most));
-    check(of('glsl', write.name).head.includes(
+    check(of('glsl', writer.name).head.includes(
         `Render target of ${name}: ${format} UNORM, not sRGB, no blending, one sample. Clear to `
-        + `(${integers.slice(0, channels).join(', ')}) / ${most},`), write.name, `target of ${name}`);
+        + `(${integers.slice(0, channels).join(', ')}) / ${most},`), writer.name, `target of ${name}`);
 }
 
 function compile(file, text, ...options) {
@@ -58,7 +58,7 @@ function compile(file, text, ...options) {
 }
 const shadow = files.filter(f => f.name.endsWith('_shadow'));
 for (const name of ['hard', 'pcf_2x2', 'box', 'tent3', 'castano5', 'disc16', 'pcf_2x2_hardware', 'pcss_hardware16'])
-    for (const language of ['glsl', 'hlsl', 'metal', 'wgsl_joined']) check(of(language, `${name}_shadow`), name, `none in ${language}`);
+    for (const language of ['glsl', 'hlsl', 'msl', 'wgsl_joined']) check(of(language, `${name}_shadow`), name, `none in ${language}`);
 for (const { language, file, text } of shadow) {
     if (language === 'glsl') {
         compile(file, `#version 330\n${text}\nvoid main() {}\n`);

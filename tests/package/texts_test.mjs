@@ -30,10 +30,10 @@ let different = 0;
 for (const line of readFileSync(expected, 'utf8').trimEnd().split('\n')) {
     const test = JSON.parse(line), kind = test.language ?? (test.encoding ? 'encodings' : 'versions'), text = made(test);
     if (test.encoding) {
-        const { write, writes, cleared } = encoding_of(test.encoding, test.reversed);
-        const same = write === snippets[test.write] && writes === test.writes && cleared.length === 4
+        const { writer, writes, cleared } = encoding_of(test.encoding, test.reversed);
+        const same = writer === snippets[test.writer] && writes === test.writes && cleared.length === 4
             && test.cleared.every((channel, i) => { const [n, d] = channel.split(' / '); return cleared[i] === n / (d ?? 1); });
-        if (!same) console.log(`encodings.${test.encoding}: ${write.name} ${writes} ${cleared}`), ++different;
+        if (!same) console.log(`encodings.${test.encoding}: ${writer.name} ${writes} ${cleared}`), ++different;
         names.delete(test.encoding);
     }
     counts[kind] = (counts[kind] ?? 0) + 1;
@@ -46,6 +46,21 @@ for (const line of readFileSync(expected, 'utf8').trimEnd().split('\n')) {
     const first = ours.findIndex((l, i) => l !== theirs[i]);
     console.log(`  line ${first + 1}: ${ours[first]}\n   in C++: ${theirs[first]}`);
 }
+
+// One name for one thing, README says: of snippet, export, function and file; of encoding, key, writer and reader.
+const named = (good, what) => { if (!good) console.log(`named otherwise than the rule says: ${what}`), ++different; };
+for (const [name, snippet] of Object.entries(snippets)) {
+    named(snippet.name === name && umbrage[name] === snippet, `snippet ${name}`);
+    for (const language of ['glsl', 'hlsl', 'msl', 'wgsl'])
+        named(umbrage[language].text([snippet]).includes(` umbrage_${name}(`), `function ${name} in ${language}`);
+}
+for (const [name, { writer, writes, reversed, depth }] of Object.entries(encodings).filter(([, e]) => e.writes !== 'depth')) {
+    named(writer === reversed.writer && writer.name === (writes === 'values' ? 'write_' : 'encode_') + name, `writer of ${name}`);
+    const reader = depth.match(/^umbrage_decode_(\w+)\(value/)?.[1];  // one reader for a format and its repaired writer
+    named(reader !== undefined && name.startsWith(reader) && snippets[`decode_${reader}`], `reader of ${name}`);
+}
+const others = Object.keys(umbrage).filter(name => !(name in snippets)).sort().join(' ');
+named(others === 'bind encodings exactness glsl hlsl msl snippets source supports text versions wgsl', `exports ${others}`);
 
 if (names.size) console.log(`in C++ no encoding is named ${[...names]}`), ++different;
 const keys = readFileSync(module_path, 'utf8').match(/^export const encodings = {[^]*?^};/m)[0].match(/^    \w+(?=: {)/gm);

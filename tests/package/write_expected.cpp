@@ -100,7 +100,7 @@ void add_encoding(std::ostream& out, const auto& encoding, bool reversed) {
     for (const std::string& channel : cleared_channels(encoding))
         cleared += (cleared.empty() ? "" : ",") + literal(channel);
     out << "{\"encoding\":" << literal(type::name) << ",\"reversed\":" << (reversed ? "true" : "false")
-        << ",\"write\":" << literal(type::writer->name) << ",\"writes\":" << literal(writes(encoding))
+        << ",\"writer\":" << literal(type::writer->name) << ",\"writes\":" << literal(writes(encoding))
         << ",\"cleared\":[" << cleared
         << "],\"text\":" << literal(glsl::text({bind(glsl::hard, "a", glsl::stored_as(encoding))})) << "}\n";
 }

@@ -132,8 +132,8 @@ std::string encoding_of_module(const auto& encoding) {
     return "{ direction: " + literal(map.direction == umbrage::depth_direction::forward ? "forward" : "reversed") +
            ", depth: " + literal(map.depth) + ", channels: " + std::to_string(map.channels) + ", needs: [" +
            (map.needs.empty() ? "" : "snippets." + std::string(map.needs.front().name)) +
-           "],\n        write: snippets." + std::string(type::writer->name) + ", writes: " + literal(writes(encoding)) +
-           ", format: " + literal(type::target::format) +
+           "],\n        writer: snippets." + std::string(type::writer->name) +
+           ", writes: " + literal(writes(encoding)) + ", format: " + literal(type::target::format) +
            (type::writes == umbrage::store_format::integers
                 ? ", to_unorm: snippets." + std::string(type::target::to_unorm->name)
                 : "") +

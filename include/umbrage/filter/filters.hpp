@@ -21,7 +21,7 @@
 
 namespace umbrage::filters {
 
-using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, rotated_disc>;
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, disc>;
 
 /// Beside them those that know the light's size: their maps hold z/w.
 using soft = list_of<pcss, dpcf>;

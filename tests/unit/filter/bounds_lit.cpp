@@ -76,7 +76,7 @@ TEST_CASE("bounds_lit: where bounds suffice every filter gives the same, NaN in 
         any.texels()[random() % any.texels().size()] = std::numeric_limits<float>::quiet_NaN();
     for (int y = 0; y < 80; ++y)
         for (int x = 0; x < 120; ++x) shapes[{x, y}] = (x / 40 + y / 40) % 2 ? 0.25f : 0.75f;
-    filters::rotated_disc disc = filters::disc<32>;
+    filters::disc disc{.points = 32};
     disc.radius_texels = 5.3f;
     const auto check = [&](const auto& filter) {
         for (const auto direction : {depth_direction::forward, depth_direction::reversed})

@@ -59,6 +59,14 @@ TEST_CASE("filters: each knows itself, under a name of its own") {
     CHECK_FALSE(with_filter("pcf", [](const auto&) { FAIL("there is none of that name"); }));
 }
 
+TEST_CASE("filters: each is named as its snippet, whatever its number of points") {
+    for_each_filter([](const auto& filter) { CHECK(filter.name == filter.snippet->name); });
+    filters::soft::for_each([](const auto& filter) { CHECK(filter.name == filter.snippet->name); });
+    CHECK(filters::disc{.points = 8}.name == "disc8");
+    CHECK(filters::pcss{.points = 32}.name == "pcss32");
+    CHECK(filters::dpcf{.points = 8}.snippet == &glsl::dpcf<8>);
+}
+
 TEST_CASE("filters: no texel lies farther from a receiver than reach, and one comes near it") {
     for_each_filter([](const auto& filter) {
         CAPTURE(filter.name);

@@ -101,7 +101,7 @@ void check(Filter filter) {
 TEST_CASE("visibility along planes: every path gives the filter's bits") {
     umbrage::for_each_filter([](const auto& filter) { check(filter); });
     for (const int radius : {0, 2, 3, 4, 8}) check(umbrage::filters::box{.radius = radius});
-    check(umbrage::filters::rotated_disc{16, 5.0f});
+    check(umbrage::filters::disc{16, 5.0f});
 }
 
 TEST_CASE("visibility along planes: every path gives contact hardening's bits") {

@@ -131,15 +131,13 @@ struct dpcf {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
     comparison is_lit{};
-    std::string_view name = "dpcf16";
-    const glsl::snippet* snippet = &glsl::dpcf<16>;
+    const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
+    std::string_view name = snippet->name;
 
     static const std::array<dpcf, 3> values;
 
     /// The disc of the widest radius.
-    [[nodiscard]] constexpr rotated_disc largest_disc() const {
-        return {points, softness.max_radius * 0.0625f, is_lit};
-    }
+    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
     /// From a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
@@ -154,9 +152,7 @@ struct dpcf {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-inline constexpr std::array<dpcf, 3> dpcf::values{{{8, {}, {}, "dpcf8", &glsl::dpcf<8>},
-                                                   {16, {}, {}, "dpcf16", &glsl::dpcf<16>},
-                                                   {32, {}, {}, "dpcf32", &glsl::dpcf<32>}}};
+inline constexpr std::array<dpcf, 3> dpcf::values{{{.points = 8}, {.points = 16}, {.points = 32}}};
 
 }  // namespace filters
 }  // namespace umbrage

@@ -97,15 +97,13 @@ struct pcss {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
     comparison is_lit{};
-    std::string_view name = "pcss16";
-    const glsl::snippet* snippet = &glsl::pcss<16>;
+    const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
+    std::string_view name = snippet->name;
 
     static const std::array<pcss, 3> values;
 
     /// The disc of the widest radius.
-    [[nodiscard]] constexpr rotated_disc largest_disc() const {
-        return {points, softness.max_radius * 0.0625f, is_lit};
-    }
+    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
     /// From a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
@@ -120,9 +118,7 @@ struct pcss {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-inline constexpr std::array<pcss, 3> pcss::values{{{8, {}, {}, "pcss8", &glsl::pcss<8>},
-                                                   {16, {}, {}, "pcss16", &glsl::pcss<16>},
-                                                   {32, {}, {}, "pcss32", &glsl::pcss<32>}}};
+inline constexpr std::array<pcss, 3> pcss::values{{{.points = 8}, {.points = 16}, {.points = 32}}};
 
 }  // namespace filters
 }  // namespace umbrage

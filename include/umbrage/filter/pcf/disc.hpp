@@ -245,14 +245,14 @@ inline constexpr const snippet* disc_snippets[]{&disc_rotation, &disc_tap, &disc
 namespace filters {
 
 /// A disc as a value; functions over images turn it from pixel to pixel.
-struct rotated_disc {
+struct disc {
     int points = 16;  ///< 8, 16 or 32
     float radius_texels = 2.0f;
     comparison is_lit{};
-    std::string_view name = "disc16";
-    const glsl::snippet* snippet = &glsl::disc<16>;
+    const glsl::snippet* snippet = points == 8 ? &glsl::disc<8> : points == 16 ? &glsl::disc<16> : &glsl::disc<32>;
+    std::string_view name = snippet->name;
 
-    static const std::array<rotated_disc, 3> values;
+    static const std::array<disc, 3> values;
 
     /// From a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const {
@@ -274,10 +274,7 @@ struct rotated_disc {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-template <int Points>
-inline constexpr rotated_disc disc{Points, 2.0f, {}, glsl::disc<Points>.name, &glsl::disc<Points>};
-
-inline constexpr std::array<rotated_disc, 3> rotated_disc::values{disc<8>, disc<16>, disc<32>};
+inline constexpr std::array<disc, 3> disc::values{{{.points = 8}, {.points = 16}, {.points = 32}}};
 
 }  // namespace filters
 }  // namespace umbrage

@@ -205,11 +205,11 @@ private:
 };
 
 template <>
-struct every_texel_form<filters::rotated_disc> {
+struct every_texel_form<filters::disc> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, glm::ivec2, ParallelFor&&,
+    static void with_blocks(const float_texels& map, const filters::disc& filter, glm::ivec2, ParallelFor&&,
                             const Use& use) {
         const disc_table taps(points_of_disc(filter.points).begin(), filter.points, filter.radius_texels);
         use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});

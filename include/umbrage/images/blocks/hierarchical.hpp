@@ -3,7 +3,7 @@
 // Filters over many texels for receivers most of which are wholly lit or wholly in shadow. Those read the bounds of all
 // their texels, one number each, and only the rest read every texel. The result is the same, bit for bit.
 //
-// visibility() evaluates filters::box, window and rotated_disc so where bounds_pay().
+// visibility() evaluates filters::box, window and disc so where bounds_pay().
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::box{8}, out);
 //
@@ -207,9 +207,7 @@ struct hierarchical_disc_blocks {
     return 2 * clamp_int(filter.radius, max_box_radius) + 1;
 }
 [[nodiscard]] inline int width_of(const filters::window& filter) { return filter.row.touched(); }
-[[nodiscard]] inline int width_of(const filters::rotated_disc& filter) {
-    return reached_texels(filter.reach()).count();
-}
+[[nodiscard]] inline int width_of(const filters::disc& filter) { return reached_texels(filter.reach()).count(); }
 
 /// Whether an image is filtered in less time by bounds, with the pass over the map that makes them.
 ///
@@ -235,7 +233,7 @@ struct hierarchical_form : every_texel_form<Filter> {
         const box_bounds tree(map.map, width_of(filter), parallel);
         every_texel_form<Filter>::template with_blocks<Direction>(
             map, filter, receivers, parallel, [&]<class Blocks>(const Blocks& every_texel) {
-                if constexpr (std::is_same_v<Filter, filters::rotated_disc>)
+                if constexpr (std::is_same_v<Filter, filters::disc>)
                     use(hierarchical_disc_blocks<Direction>{tree, every_texel, reached_texels(filter.reach())});
                 else use(hierarchical_blocks<Blocks>{tree, every_texel});
             });
@@ -258,6 +256,6 @@ struct block_form<filters::box> : faster_form<filters::box> {};
 template <>
 struct block_form<filters::window> : faster_form<filters::window> {};
 template <>
-struct block_form<filters::rotated_disc> : faster_form<filters::rotated_disc> {};
+struct block_form<filters::disc> : faster_form<filters::disc> {};
 
 }  // namespace umbrage::detail

@@ -128,7 +128,7 @@ concept has_plane_form = requires {
 template <>
 struct plane_form<filters::window> : every_texel_form<filters::window> {};
 template <>
-struct plane_form<filters::rotated_disc> : every_texel_form<filters::rotated_disc> {};
+struct plane_form<filters::disc> : every_texel_form<filters::disc> {};
 template <>
 struct plane_form<filters::pcss> : block_form<filters::pcss> {};
 template <>

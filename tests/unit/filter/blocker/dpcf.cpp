@@ -95,6 +95,6 @@ TEST_CASE("dpcf: a disc's share where the penumbra is the disc, and the cases wi
     for (const filters::dpcf& filter : filters::dpcf::values) {
         static_assert(known_filter<filters::dpcf>);
         CHECK(filter.snippet->name == filter.name);
-        CHECK(filter.reach() == filters::rotated_disc{filter.points, 6.0f}.reach());
+        CHECK(filter.reach() == filters::disc{filter.points, 6.0f}.reach());
     }
 }

@@ -191,10 +191,10 @@ TEST_CASE("disc_points: less error on edges than Vogel's spiral and Poisson's da
     compare_to(ours<32>(), .0196, .0083);
 }
 
-TEST_CASE("rotated_disc: what its values say of themselves, and the pixel decides the rotation") {
+TEST_CASE("disc: what its values say of themselves, and the pixel decides the rotation") {
     const auto ramp = [](glm::ivec2 t) { return t.x * 3 + t.y * 5 > 40 ? 1.0f : 0.0f; };
     std::set<float> seen;
-    for (const filters::rotated_disc& filter : filters::rotated_disc::values) {
+    for (const filters::disc& filter : filters::disc::values) {
         CHECK(filter.snippet->name == filter.name);
         CHECK(filter.reach() > 2.0f);
         for (int y = 0; y < 4; ++y)

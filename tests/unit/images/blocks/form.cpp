@@ -74,9 +74,8 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
     against(clamped, of.receivers, bands{7});
     against(one_by_one(alone, bordered, of.receivers), of.receivers, bands{3}, umbrage::outside_map::bordered);
     // Receivers know nothing of maps and filters, but that some of these ask for the pixel.
-    if constexpr (std::is_same_v<Encoding, umbrage::depth32f> &&
-                  (std::is_same_v<Filter, umbrage::filters::pcf_2x2> ||
-                   std::is_base_of_v<umbrage::filters::rotated_disc, Filter>)) {
+    if constexpr (std::is_same_v<Encoding, umbrage::depth32f> && (std::is_same_v<Filter, umbrage::filters::pcf_2x2> ||
+                                                                  std::is_base_of_v<umbrage::filters::disc, Filter>)) {
         against(clamped, of.planes(), bands{2});
         against(one_by_one(alone, bordered, of.receivers), of.planes(), bands{2}, umbrage::outside_map::bordered);
         const auto seen_at = [&](glm::ivec2 pixel) { return umbrage::receiver_at(of.seen(), pixel); };
@@ -114,7 +113,7 @@ void check_filters(Encoding encoding, std::initializer_list<int> radii) {
         for_each_setting(radii, [&]<class Filter>(const Filter& filter) {
             constexpr bool floats = std::is_same_v<Encoding, umbrage::depth32f>;  // as which these read any map
             constexpr bool needs_floats = std::is_base_of_v<umbrage::filters::window, Filter> ||
-                                          std::is_base_of_v<umbrage::filters::rotated_disc, Filter>;
+                                          std::is_base_of_v<umbrage::filters::disc, Filter>;
             if constexpr (floats || !needs_floats) check_filter(encoding, filter, map_size);
         });
 }

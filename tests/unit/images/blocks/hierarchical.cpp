@@ -77,7 +77,7 @@ TEST_CASE(
                 check(filter);
             }
             for (const float radius : {2.0f, 16.0f}) {
-                umbrage::filters::rotated_disc disc = umbrage::filters::disc<8>;
+                umbrage::filters::disc disc{.points = 8};
                 disc.radius_texels = radius;
                 disc.is_lit = {direction};
                 check(disc);
@@ -87,7 +87,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("box, window and rotated_disc: by bounds where these pay") {
+TEST_CASE("box, window and disc: by bounds where these pay") {
     using umbrage::filters::box;
     const glm::ivec2 map(256, 256);
     for (const int radius : {-1, 0, 1, 2}) CHECK_FALSE(by_bounds(box{radius}, map, map));
@@ -95,7 +95,7 @@ TEST_CASE("box, window and rotated_disc: by bounds where these pay") {
     CHECK_FALSE(by_bounds(umbrage::filters::tent<3>, map, map));
     CHECK(by_bounds(umbrage::filters::castano<5>, map, map));
     CHECK(by_bounds(umbrage::filters::castano<7>, map, map));
-    umbrage::filters::rotated_disc disc = umbrage::filters::disc<16>;
+    umbrage::filters::disc disc{.points = 16};
     for (const auto& [radius, pays] : {std::pair(2.0f, false), std::pair(8.0f, true), std::pair(16.0f, false)}) {
         disc.radius_texels = radius;
         CAPTURE(radius);

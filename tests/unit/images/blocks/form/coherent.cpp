@@ -66,7 +66,7 @@ TEST_CASE("visibility: whole blocks inside the map, and rows that collide in the
 TEST_CASE("visibility: windows, and discs of all radii, in whole blocks inside the map") {
     for (const umbrage::filters::window& filter : umbrage::filters::window::values)
         check_coherent(umbrage::depth32f{}, forced::every_texel{filter}, {600, 61});
-    for (umbrage::filters::rotated_disc filter : umbrage::filters::rotated_disc::values)
+    for (umbrage::filters::disc filter : umbrage::filters::disc::values)
         for (const float radius : {0.0f, 0.4f, 3.2f, 5.3f, 300.0f}) {
             filter.radius_texels = radius;
             check_coherent(umbrage::depth32f{}, forced::every_texel{filter}, {600, 61});

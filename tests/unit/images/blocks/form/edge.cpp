@@ -76,7 +76,7 @@ TEST_CASE("visibility: in a band around the edges each filter sees the far plane
 TEST_CASE("visibility: in a band around the edges filters by bounds see the far plane outside") {
     check_in_both_directions(forced::by_bounds{umbrage::filters::box{5}});
     check_in_both_directions(forced::by_bounds{umbrage::filters::castano<7>});
-    umbrage::filters::rotated_disc disc = umbrage::filters::disc<32>;
+    umbrage::filters::disc disc{.points = 32};
     disc.radius_texels = 6.5f;
     check_in_both_directions(forced::by_bounds{disc});
 }
