@@ -25,7 +25,7 @@ int main() {
     const glm::vec3 position(0.3f, 2, 0.2f);
     const umbrage::point_light<float> light{
         .position = position, .z_far = 20, .map_size = 512, .border = 6, .clip = umbrage::cpu_clip_space};
-    const umbrage::shadow bulb(light, {512, 512}, umbrage::filters::disc<16>);
+    const umbrage::shadow bulb(light, {512, 512}, umbrage::filters::disc{});
     umbrage::image<float> map(bulb.size(), bulb.cleared());  // 3 x 2 maps
     bulb.draw(map, {vertices, triangles});
 

@@ -209,7 +209,7 @@ int main(int argc, char** argv) try {
     const shadow sun(shadow_scene::cascades(clip), {256, 256}, filters::tent<3>);
     const shadow spot(shadow_scene::spot(clip), {256, 128}, filters::pcf_2x2{}, rg<11>{});
     const shadow sampled(shadow_scene::fitted(clip), {200, 300}, filters::box{.radius = 1});
-    const shadow bulb(shadow_scene::bulb(clip), {256, 256}, filters::disc<16>);
+    const shadow bulb(shadow_scene::bulb(clip), {256, 256}, filters::disc{});
     const auto sun_map = shadow_scene::drawn(sun), sampled_map = shadow_scene::drawn(sampled),
                bulb_map = shadow_scene::drawn(bulb);
     const auto spot_map = shadow_scene::drawn(spot);

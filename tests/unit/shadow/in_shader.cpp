@@ -62,7 +62,7 @@ TEST_CASE("in_shader: comparison samplers, arrays, and the pixel of filters that
     CHECK(has(glsl::text({bind(sun_in_shader, "sun", {.map = glsl::texture::array})}, version::v330),
               "float layer = number;"));
     CHECK(has(glsl::text({bind(sun_in_shader, "sun")}, version::v330), "vec2 origin = umbrage_cascade_tile(number"));
-    const shadow turned(shadow_scene::bulb(cpu_clip_space), {256, 256}, filters::disc<16>);
+    const shadow turned(shadow_scene::bulb(cpu_clip_space), {256, 256}, filters::disc{});
     CHECK(has(glsl::text({bind(turned, "bulb")}, version::v330),
               "float umbrage_bulb(vec3 world, vec3 normal, vec2 pixel) {"));
 }
