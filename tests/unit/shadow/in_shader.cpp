@@ -93,7 +93,7 @@ TEST_CASE("in_shader: bad input") {
           }).starts_with("umbrage::glsl::bind: slots.map must be atlas, array, depth_array or shadow_array"));
     CHECK(refusal([&] {
               (void)bind(lamp_in_shader, "lamp", {.map = glsl::texture::shadow});
-          }).starts_with("umbrage::glsl::bind: map.depth must be empty for a comparison sampler"));
+          }).starts_with("umbrage::glsl::bind: map.channels must be 1 for a depth texture"));
     CHECK(refusal([&] {
               (void)glsl::text({lamp, lamp}, version::v330);
           }).starts_with("umbrage::glsl::text: name must be another"));
