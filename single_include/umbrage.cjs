@@ -19,7 +19,7 @@ function bind(what, name, ...rest) {
     must(name === '' || /^[A-Za-z0-9]+(_[A-Za-z0-9]+)*$/.test(name),
         'name must be letters, digits and single underscores between them', name);
     check(what, map);
-    return { what, suffix: name === '' ? '' : `_${name}`, map, by_macros: false };
+    return { what, suffix: name === '' ? '' : `_${name}`, map };
 }
 
 function must(holds, condition, got) {
@@ -32,7 +32,8 @@ function check(what, map) {
     must([1, 2, 3, 4].includes(map.channels), 'map.channels must be 1 to 4', map.channels);
     must(!one_channel || map.channels === 1, 'map.channels must be 1 for a depth texture', map.channels);
     must(!compares(map) || map.depth === '', 'map.depth must be empty for a comparison sampler', map.depth);
-    for (const key of ['depth', 'origin', 'texture_size', 'texel'])
+    must(!compares(map) || map.compare === '', 'map.compare must be empty for a comparison sampler', map.compare);
+    for (const key of ['depth', 'compare', 'origin', 'texture_size', 'texel'])
         must(map[key] === '' || is_expression(map[key]), `map.${key} must be one expression on one line`, map[key]);
     must(map.parameters === '' || is_expression(map.parameters), 'map.parameters must be parameters on one line',
         map.parameters);
@@ -50,6 +51,8 @@ function check_hooks(what, asked, map) {
         'map.gather must be false where texels of cubes or whole numbers are gathered', true);
     must(asked.role !== 'gather_lit' || map.channels <= 2, 'map.channels must be 1 or 2 where texels are gathered',
         map.channels);
+    must(asked !== hooks.decode || !words_of(map.depth).includes('texel'), 'map.depth must be of value alone where texels are gathered',
+        map.depth);
     for (const need of chosen(asked, map).needs) check_hooks(what, need, map);
 }
 
@@ -64,8 +67,8 @@ function is_expression(text) {
 }
 
 const defaults = {
-    texture: 'texture_2d', direction: 'forward', outside: '', gather: false, depth: '', channels: 1, origin: '',
-    texture_size: '', parameters: '', arguments: '', texel: '', needs: [],
+    texture: 'texture_2d', direction: 'forward', outside: '', gather: false, depth: '', channels: 1,
+    compare: '', origin: '', texture_size: '', parameters: '', arguments: '', texel: '', needs: [],
 };
 const choices = {
     texture: ['texture_2d', 'atlas', 'array', 'cube', 'cube_faces', 'integer', 'depth', 'depth_array', 'shadow', 'shadow_array'],
@@ -73,7 +76,7 @@ const choices = {
     outside: ['bordered', 'clamped'],
 };
 
-const of_encodings = ['write', 'writes', 'format', 'to_unorm', 'cleared', 'reversed'];  // what they have beside a map's properties
+const of_encodings = ['writer', 'writes', 'format', 'to_unorm', 'cleared', 'reversed'];  // what they have beside a map's properties
 
 function complete(map) {
     must(typeof map === 'object' && map !== null, 'map must be an object',
@@ -95,7 +98,7 @@ const is_snippet = what => what !== undefined && what !== null && snippets[what.
 function as_bound(item) {
     const what = item?.what ?? item;
     if (!is_snippet(what)) throw new Error(`umbrage: text: items must be snippets, bound or not; got ${item}`);
-    return item === what ? { what, suffix: '', map: { ...defaults }, by_macros: true } : item;
+    return item === what ? { what, suffix: '', map: defaults } : item;
 }
 
 const has_region = map => map.texture === 'atlas' || map.origin !== '';
@@ -105,20 +108,21 @@ const is_bordered = map =>
 const gathers = map => !['cube', 'cube_faces', 'integer'].includes(map.texture);
 const compares = map => map.texture === 'shadow' || map.texture === 'shadow_array';
 
+const is_scaled = map => map.needs.some(need => need.scaled);
+
 /** The function that a map has in place of a hook's own text; other snippets as they are. */
 function chosen(s, map) {
-    const scaled = map.needs.some(need => need.scaled);
     switch (s.role) {
-        case 'cleared_depth':
-        case 'compare': return hooks[`${s.role}, ${map.direction}`];
-        case 'border_depth': return scaled ? hooks['border_depth, scaled'] : s;
-        case 'map_covers': return hooks[`map_covers, ${is_bordered(map) ? 'bordered' : 'clamped'}`];
-        case 'beyond_far_plane': return hooks[`beyond_far_plane, ${scaled ? 'scaled' : map.direction}`];
-        case 'within_far_plane': return scaled ? s : hooks[`within_far_plane, ${map.direction}`];
-        case 'texel':
-        case 'fetch_depth':
-            if (s.role === 'texel') return hooks.texel;
-            return hooks[is_bordered(map) ? 'fetch_depth, bordered' : 'fetch_depth, clamped'];
+        case 'compare':
+            if (map.compare !== '') return hooks['compare, own'];
+            return map.direction === 'forward' ? s : hooks['compare, reversed'];
+        case 'cleared_depth': return map.direction === 'forward' ? s : hooks['cleared_depth, reversed'];
+        case 'beyond_far_plane':
+        case 'within_far_plane':
+            if (is_scaled(map) || map.compare !== '') return hooks[`${s.role}, without`];
+            return map.direction === 'forward' ? s : hooks[`${s.role}, reversed`];
+        case 'map_covers':
+        case 'fetch_depth': return is_bordered(map) ? s : hooks[`${s.role}, clamped`];
         case 'lit': return compares(map) ? hooks[is_bordered(map) ? 'lit, bordered' : 'lit, clamped'] : s;
         case 'lit_2x2':
             if (!map.gather) return s;
@@ -173,6 +177,7 @@ const declared = parameters => members(parameters).map(p => words_of(p.replace(/
 function for_map(text, s, item, words) {
     const { map } = item;
     const origin = map.texture === 'atlas' ? map.origin || 'origin' : map.origin;
+    const border = is_scaled(map) ? '65536.0' : map.direction === 'forward' ? '1.0' : '0.0';
     const texture_size = map.texture_size || (origin === '' ? 'size' : words.size);
     const texel = map.texel || words.texel;
     if (texel.startsWith('#')) text = text.replaceAll('    return UMBRAGE_TEXEL;\n', 'UMBRAGE_TEXEL');
@@ -215,6 +220,8 @@ function for_map(text, s, item, words) {
         if (word === own_map && !comment) return list(all_arguments);
         switch (word) {
             case 'UMBRAGE_PARAMETERS': return list(parameters);
+            case 'UMBRAGE_BORDER': return border;
+            case 'UMBRAGE_COMPARE': return of_texture(map.compare);
             case 'UMBRAGE_DEPTH': return of_texture(map.depth || 'value.x');
             case 'UMBRAGE_ORIGIN': return origin;
             case 'UMBRAGE_TEXEL': return of_texture(map.texel === '' ? ours(texel) : texel);
@@ -280,24 +287,21 @@ const same = (a, b) => Object.keys(defaults).every(
     key => key === 'needs' ? a.needs.length === b.needs.length && a.needs.every((need, i) => need === b.needs[i])
         : a[key] === b[key]);
 
-/** The items, each with its map: those of a shader's one map share one. */
+/** The items, each with its map. */
 function with_maps(items) {
     items = items.map(as_bound);
-    const one = { ...defaults, needs: items.filter(i => i.by_macros && i.what.scaled).map(i => i.what) };
-    items = items.map(i => i.by_macros ? { ...i, map: one } : i);
+    const has_map = ({ what, map }) => [what, ...map.needs].some(is_of_map);
     for (const item of items)
-        if (!item.by_macros && items.some(other => other.suffix === item.suffix
-            && (other.by_macros ? is_of_map(other.what) : !same(other.map, item.map))))
+        if (has_map(item) && items.some(other => other.suffix === item.suffix && has_map(other) && !same(other.map, item.map)))
             throw new Error(`umbrage: text: name must be another for each map; got "${item.suffix.slice(1)}" for two`);
     return items;
 }
 
 /** What a text of the items holds, in order and each once: calls use(snippet, item, guard, whether a map fills it in). */
 function for_each_part(language, items, use) {
-    const done = new Map(), scaled = hooks['beyond_far_plane, scaled'];
+    const done = new Map();
     const add = (asked, item, of_map) => {
-        const by_macros = language.macros && item.by_macros;
-        const s = by_macros ? asked : chosen(asked, item.map);
+        const s = chosen(asked, item.map);
         for (const need of s.needs) add(need, item, of_map);
         if (is_of_map(s) !== of_map) return;
         const suffix = of_map ? item.suffix : '', part = { what: s.name, suffix };
@@ -307,12 +311,10 @@ function for_each_part(language, items, use) {
             throw new Error('umbrage: text: names must keep functions apart, in capitals too; got '
                 + `umbrage_${before.what}${before.suffix} and umbrage_${s.name}${suffix}`);
         done.set(guard, part);
-        use(s, item, guard, of_map && !by_macros);
+        use(s, item, guard, of_map);
     };
     for (const of_map of [false, true])
         for (const item of items) {
-            if (of_map && language.macros && item.by_macros && chosen(snippets.beyond_far_plane, item.map) === scaled)
-                add(scaled, item, of_map);
             for (const need of item.map.needs) add(need, item, of_map);
             for (const need of language.textures[item.map.texture].needs) add(snippets[need], item, of_map);
             add(item.what, item, of_map);
@@ -338,7 +340,7 @@ function bound_in_words(s) {
 function bounds_note(language, items) {
     const lines = new Set();
     for (const item of items) {
-        const worst = worst_promise(language, with_maps([item.by_macros ? item.what : item]));
+        const worst = worst_promise(language, with_maps([item]));
         if (worst.exactness !== 'a') lines.add(
             `// ${item.what.name}${item.suffix}, tier ${worst.exactness.toUpperCase()}: ${bound_in_words(worst)}\n`);
     }
@@ -355,10 +357,10 @@ function compose(language, items) {
     const names = [...new Set(items.map(item => item.what.name + item.suffix))];
     let text = `// umbrage 0.1.0, MIT License${names.length ? ': ' : ''}${names.join(', ')}\n`
         + bounds_note(language, items) + language.prelude;
-    for_each_part(language, items, (s, item, guard, filled_in) => {
+    for_each_part(language, items, (s, item, guard, of_map) => {
         const body = language.texts[s.id];
         if (language.preprocessor) text += `\n#ifndef ${guard}\n#define ${guard}`;
-        text += filled_in ? laid_out(for_map(body, s, item, language.textures[item.map.texture])) : body;
+        text += of_map ? laid_out(for_map(body, s, item, language.textures[item.map.texture])) : body;
         if (language.preprocessor) text += '#endif\n';
     });
     return text;
@@ -372,10 +374,9 @@ const has_gathers = ['310 es', '320 es', '430', '450', '460'];
 
 /** True when the snippet, or the snippet bound to its map, compiles in a dialect of GLSL. */
 function supports(item, version) {
-    const { what, map, by_macros } = as_bound(item);
+    const { what, map } = as_bound(item);
     const old_enough = s => s.lowest === '100' || es3.includes(version);
     if (!old_enough(what)) return false;
-    if (by_macros) return true;
     if (!map.needs.every(old_enough)) return false;
     if (map.gather) return has_gathers.includes(version);
     if (has_region(map) && map.texture_size === '' && ['100', '110', '120'].includes(version)) return false;
@@ -432,7 +433,6 @@ const languages = {
         prelude: "\n#ifndef UMBRAGE_HIGHP\n#ifdef GL_ES\n#define UMBRAGE_HIGHP highp\n#else\n#define UMBRAGE_HIGHP\n#endif\n#endif\n#ifndef UMBRAGE_PRECISE\n#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)\n#define UMBRAGE_PRECISE precise\n#else\n#define UMBRAGE_PRECISE\n#endif\n#endif\n",
         may_reorder: "GLSL below 400 and 320 es",
         preprocessor: true,
-        macros: true,
         textures: {
             texture_2d: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
             atlas: { parameters: "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin", arguments: "map, origin", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
@@ -781,17 +781,11 @@ UMBRAGE_HIGHP vec4 umbrage_pancake(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP fl
 `,
             "texel": `
 // umbrage_texel: value of a texel inside the map
-//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   map    where its texels lie; a sampler that reads them filters by nearest
 //   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
-#ifndef UMBRAGE_MAP
-#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
-#endif
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-#if __VERSION__ >= 130
-    return texelFetch(map, ivec2(texel), 0);
-#else
-    return texture2D(map, (texel + 0.5) / size);
-#endif
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
 }
 `,
             "from_unorm": `
@@ -905,13 +899,9 @@ UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z
 }
 `,
             "cleared_depth": `
-// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+// umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
-#ifdef UMBRAGE_REVERSED
-    return 0.0;
-#else
     return 1.0;
-#endif
 }
 `,
             "saturate": `
@@ -1584,18 +1574,12 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 }
 `,
             "fetch_depth": `
-// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
-// UMBRAGE_CLAMPED: define it and outside the map the nearest texel inside counts, where it is else the far plane
-#ifndef UMBRAGE_FETCH
-#ifdef UMBRAGE_CLAMPED
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
-#else
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
-#endif
-#endif
-// umbrage_fetch_depth: stored depth of a texel
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return UMBRAGE_FETCH(map, size, texel);
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
+    UMBRAGE_HIGHP float depth = UMBRAGE_DEPTH;
+    return inside.x == texel.x && inside.y == texel.y ? depth : UMBRAGE_BORDER;
 }
 `,
             "depth_at": `
@@ -1606,17 +1590,9 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 }
 `,
             "beyond_far_plane": `
-// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
-#ifndef UMBRAGE_BEYOND_FAR
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
-#else
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
-#endif
-#endif
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return UMBRAGE_BEYOND_FAR(receiver);
+    return receiver > 1.0;
 }
 `,
             "in_filter_domain": `
@@ -1627,17 +1603,9 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 }
 `,
             "compare": `
-// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_COMPARE
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
-#else
-#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
-#endif
-#endif
-// umbrage_compare: visibility of one comparison
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_COMPARE(receiver, stored);
+    return receiver <= stored ? 1.0 : 0.0;
 }
 `,
             "lit": `
@@ -1660,21 +1628,14 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 `,
             "map_covers": `
 // umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-// UMBRAGE_CLAMPED: define it and all receivers do
 bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
-#ifdef UMBRAGE_CLAMPED
-    return true;
-#else
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
-#endif
 }
 `,
             "within_far_plane": `
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
-    // a sum of choices, not an or of comparisons, which compilers take for true
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
+    return receiver <= 1.0;
 }
 `,
             "compare_dx_sdk": `
@@ -3744,34 +3705,10 @@ UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIG
     return coord >= 0.0 && coord < size ? texel : -1.0;
 }
 `,
-            "hooks/cleared_depth, forward": `
-// umbrage_cleared_depth: depth of the far plane
-UMBRAGE_HIGHP float umbrage_cleared_depth() {
-    return 1.0;
-}
-`,
             "hooks/cleared_depth, reversed": `
 // umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
     return 0.0;
-}
-`,
-            "hooks/border_depth, a depth": `
-// umbrage_border_depth: what texels outside the map count as, the far plane
-UMBRAGE_HIGHP float umbrage_border_depth() {
-    return umbrage_cleared_depth();
-}
-`,
-            "hooks/border_depth, scaled": `
-// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
-UMBRAGE_HIGHP float umbrage_border_depth() {
-    return 65536.0;
-}
-`,
-            "hooks/map_covers, bordered": `
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
-    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 `,
             "hooks/map_covers, clamped": `
@@ -3780,28 +3717,16 @@ bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     return true;
 }
 `,
-            "hooks/beyond_far_plane, forward": `
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
-bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return receiver > 1.0;
-}
-`,
             "hooks/beyond_far_plane, reversed": `
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver < 0.0;
 }
 `,
-            "hooks/beyond_far_plane, scaled": `
-// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+            "hooks/beyond_far_plane, without": `
+// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return false;
-}
-`,
-            "hooks/within_far_plane, forward": `
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
-bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
-    return receiver <= 1.0;
 }
 `,
             "hooks/within_far_plane, reversed": `
@@ -3810,10 +3735,12 @@ bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver >= 0.0;
 }
 `,
-            "hooks/compare, forward": `
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
-UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return receiver <= stored ? 1.0 : 0.0;
+            "hooks/within_far_plane, without": `
+// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
+    // a sum of choices, not an or of comparisons, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return number > 0.5;
 }
 `,
             "hooks/compare, reversed": `
@@ -3822,15 +3749,14 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
     return receiver >= stored ? 1.0 : 0.0;
 }
 `,
-            "hooks/texel": `
-// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
-UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    return UMBRAGE_TEXEL;
+            "hooks/compare, own": `
+// umbrage_compare: visibility of one comparison, the map's own
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_COMPARE;
 }
 `,
             "hooks/decode": `
-// umbrage_decode: depth of a texel's value
+// umbrage_decode: depth of a value that the sampler gave
 UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
     return UMBRAGE_DEPTH;
 }
@@ -3838,15 +3764,8 @@ UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
             "hooks/fetch_depth, clamped": `
 // umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-}
-`,
-            "hooks/fetch_depth, bordered": `
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
-UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
-    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_texel(map, size, inside));
-    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
 }
 `,
             "hooks/lit_texel": `
@@ -3871,7 +3790,7 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
                                 UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 `,
@@ -3941,7 +3860,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? lit.x : outside;
     UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
     UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
@@ -3961,7 +3880,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
     UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
     UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
     UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
     UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
@@ -3992,7 +3911,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
@@ -4010,7 +3929,7 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
@@ -4027,7 +3946,7 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
     UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
-    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
 }
 `,
         },
@@ -4036,7 +3955,6 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
         prelude: "",
         may_reorder: "",
         preprocessor: true,
-        macros: false,
         textures: {
             texture_2d: { parameters: "Texture2D<float4> map", arguments: "map", texel: "map.Load(int3(int2(at), 0))", sampled: "map.SampleLevel(map_sampler, uv, 0.0)", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
             atlas: { parameters: "Texture2D<float4> map, float2 origin", arguments: "map, origin", texel: "map.Load(int3(int2(at), 0))", sampled: "map.SampleLevel(map_sampler, uv, 0.0)", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
@@ -4374,6 +4292,15 @@ float4 umbrage_pancake(float4 position, float at_near) {
     return float4(position.x, position.y, before ? plane : position.z, position.w);
 }
 `,
+            "texel": `
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+float4 umbrage_texel(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
             "from_unorm": `
 // umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
 float umbrage_from_unorm(float c) {
@@ -4475,6 +4402,12 @@ float umbrage_view_z_from_orthographic_depth(float depth, float z_near, float z_
 // z_near; when reversed, exchange z_near and z_far
 float umbrage_orthographic_depth_from_view_z(float z_view, float z_near, float z_far) {
     return (z_view - z_near) / (z_far - z_near);
+}
+`,
+            "cleared_depth": `
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
 }
 `,
             "saturate": `
@@ -5142,6 +5075,15 @@ float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel, float4
     return at.x == texel.x && at.y == texel.y ? value : border;
 }
 `,
+            "fetch_depth": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float4 value = umbrage_texel(map, size, inside);
+    float depth = UMBRAGE_DEPTH;
+    return inside.x == texel.x && inside.y == texel.y ? depth : UMBRAGE_BORDER;
+}
+`,
             "depth_at": `
 // umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
@@ -5149,11 +5091,23 @@ float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }
 `,
+            "beyond_far_plane": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far_plane(float receiver) {
+    return receiver > 1.0;
+}
+`,
             "in_filter_domain": `
 // umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
 precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+`,
+            "compare": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
 }
 `,
             "lit": `
@@ -5172,12 +5126,16 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
     return float4(a, b, c, d);
 }
 `,
+            "map_covers": `
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+precise bool umbrage_map_covers(float2 size, float2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+`,
             "within_far_plane": `
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 precise bool umbrage_within_far_plane(float receiver) {
-    // a sum of choices, not an or of comparisons, which compilers take for true
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
+    return receiver <= 1.0;
 }
 `,
             "compare_dx_sdk": `
@@ -7115,34 +7073,10 @@ float umbrage_overlay_texel(float coord, float size, float map_size, float texel
     return coord >= 0.0 && coord < size ? texel : -1.0;
 }
 `,
-            "hooks/cleared_depth, forward": `
-// umbrage_cleared_depth: depth of the far plane
-float umbrage_cleared_depth() {
-    return 1.0;
-}
-`,
             "hooks/cleared_depth, reversed": `
 // umbrage_cleared_depth: depth of the far plane
 float umbrage_cleared_depth() {
     return 0.0;
-}
-`,
-            "hooks/border_depth, a depth": `
-// umbrage_border_depth: what texels outside the map count as, the far plane
-float umbrage_border_depth() {
-    return umbrage_cleared_depth();
-}
-`,
-            "hooks/border_depth, scaled": `
-// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
-float umbrage_border_depth() {
-    return 65536.0;
-}
-`,
-            "hooks/map_covers, bordered": `
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-precise bool umbrage_map_covers(float2 size, float2 coord) {
-    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 `,
             "hooks/map_covers, clamped": `
@@ -7151,28 +7085,16 @@ precise bool umbrage_map_covers(float2 size, float2 coord) {
     return true;
 }
 `,
-            "hooks/beyond_far_plane, forward": `
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
-precise bool umbrage_beyond_far_plane(float receiver) {
-    return receiver > 1.0;
-}
-`,
             "hooks/beyond_far_plane, reversed": `
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver < 0.0;
 }
 `,
-            "hooks/beyond_far_plane, scaled": `
-// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+            "hooks/beyond_far_plane, without": `
+// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
 precise bool umbrage_beyond_far_plane(float receiver) {
     return false;
-}
-`,
-            "hooks/within_far_plane, forward": `
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
-precise bool umbrage_within_far_plane(float receiver) {
-    return receiver <= 1.0;
 }
 `,
             "hooks/within_far_plane, reversed": `
@@ -7181,10 +7103,12 @@ precise bool umbrage_within_far_plane(float receiver) {
     return receiver >= 0.0;
 }
 `,
-            "hooks/compare, forward": `
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
-float umbrage_compare(float receiver, float stored) {
-    return receiver <= stored ? 1.0 : 0.0;
+            "hooks/within_far_plane, without": `
+// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
+precise bool umbrage_within_far_plane(float receiver) {
+    // a sum of choices, not an or of comparisons, which compilers take for true
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return number > 0.5;
 }
 `,
             "hooks/compare, reversed": `
@@ -7193,15 +7117,14 @@ float umbrage_compare(float receiver, float stored) {
     return receiver >= stored ? 1.0 : 0.0;
 }
 `,
-            "hooks/texel": `
-// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
-float4 umbrage_texel(UMBRAGE_MAP map, float2 size, float2 texel) {
-    float2 at = texel + UMBRAGE_ORIGIN;
-    return UMBRAGE_TEXEL;
+            "hooks/compare, own": `
+// umbrage_compare: visibility of one comparison, the map's own
+float umbrage_compare(float receiver, float stored) {
+    return UMBRAGE_COMPARE;
 }
 `,
             "hooks/decode": `
-// umbrage_decode: depth of a texel's value
+// umbrage_decode: depth of a value that the sampler gave
 float umbrage_decode(float4 value) {
     return UMBRAGE_DEPTH;
 }
@@ -7209,15 +7132,8 @@ float umbrage_decode(float4 value) {
             "hooks/fetch_depth, clamped": `
 // umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
 float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
-    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-}
-`,
-            "hooks/fetch_depth, bordered": `
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
-float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
-    float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
-    float depth = umbrage_decode(umbrage_texel(map, size, inside));
-    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
+    float4 value = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
 }
 `,
             "hooks/lit_texel": `
@@ -7239,7 +7155,7 @@ float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
 float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
     float lit = umbrage_lit_texel(map, size, inside, receiver);
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 `,
@@ -7303,7 +7219,7 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
 //   the far plane, whatever the sampler has there
 float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float4 lit = umbrage_gather_lit(map, size, texel, receiver);
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     float a = umbrage_inside_map(size, texel) ? lit.x : outside;
     float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? lit.y : outside;
     float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? lit.z : outside;
@@ -7322,7 +7238,7 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
     float2 right = low.x < -0.5 ? float2(lit.x, lit.z) : float2(lit.y, lit.w);
     float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
     float2 top = low.y < -0.5 ? float2(left.x, right.x) : float2(left.y, right.y);
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
     float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? bottom.y : outside;
     float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? top.x : outside;
@@ -7351,7 +7267,7 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = clamp(min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
@@ -7367,7 +7283,7 @@ float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
     float lit = UMBRAGE_LIT_FILTERED;
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     float2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
@@ -7384,7 +7300,7 @@ float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     float depth = umbrage_decode(UMBRAGE_SAMPLED);
-    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
 }
 `,
         },
@@ -7393,7 +7309,6 @@ float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
         prelude: "\n#include <metal_stdlib>\n#pragma METAL fp math_mode(safe)\n#pragma METAL fp contract(off)\n",
         may_reorder: "",
         preprocessor: true,
-        macros: false,
         textures: {
             texture_2d: { parameters: "metal::texture2d<float> map", arguments: "map", texel: "map.read(uint2(at))", sampled: "map.sample(map_sampler, uv, metal::level(0.0))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
             atlas: { parameters: "metal::texture2d<float> map, float2 origin", arguments: "map, origin", texel: "map.read(uint2(at))", sampled: "map.sample(map_sampler, uv, metal::level(0.0))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
@@ -7731,6 +7646,15 @@ inline float4 umbrage_pancake(float4 position, float at_near) {
     return float4(position.x, position.y, before ? plane : position.z, position.w);
 }
 `,
+            "texel": `
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
             "from_unorm": `
 // umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
 inline float umbrage_from_unorm(float c) {
@@ -7832,6 +7756,12 @@ inline float umbrage_view_z_from_orthographic_depth(float depth, float z_near, f
 // z_near; when reversed, exchange z_near and z_far
 inline float umbrage_orthographic_depth_from_view_z(float z_view, float z_near, float z_far) {
     return (z_view - z_near) / (z_far - z_near);
+}
+`,
+            "cleared_depth": `
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
 }
 `,
             "saturate": `
@@ -8499,6 +8429,15 @@ inline float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel,
     return at.x == texel.x && at.y == texel.y ? value : border;
 }
 `,
+            "fetch_depth": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float4 value = umbrage_texel(map, size, inside);
+    float depth = UMBRAGE_DEPTH;
+    return inside.x == texel.x && inside.y == texel.y ? depth : UMBRAGE_BORDER;
+}
+`,
             "depth_at": `
 // umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
@@ -8506,11 +8445,23 @@ inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     return umbrage_fetch_depth(map, size, metal::floor(uv * size));
 }
 `,
+            "beyond_far_plane": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
+    return receiver > 1.0;
+}
+`,
             "in_filter_domain": `
 // umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
 inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+`,
+            "compare": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
 }
 `,
             "lit": `
@@ -8529,12 +8480,16 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
     return float4(a, b, c, d);
 }
 `,
+            "map_covers": `
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+inline bool umbrage_map_covers(float2 size, float2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+`,
             "within_far_plane": `
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 inline bool umbrage_within_far_plane(float receiver) {
-    // a sum of choices, not an or of comparisons, which compilers take for true
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
+    return receiver <= 1.0;
 }
 `,
             "compare_dx_sdk": `
@@ -10488,34 +10443,10 @@ inline float umbrage_overlay_texel(float coord, float size, float map_size, floa
     return coord >= 0.0 && coord < size ? texel : -1.0;
 }
 `,
-            "hooks/cleared_depth, forward": `
-// umbrage_cleared_depth: depth of the far plane
-inline float umbrage_cleared_depth() {
-    return 1.0;
-}
-`,
             "hooks/cleared_depth, reversed": `
 // umbrage_cleared_depth: depth of the far plane
 inline float umbrage_cleared_depth() {
     return 0.0;
-}
-`,
-            "hooks/border_depth, a depth": `
-// umbrage_border_depth: what texels outside the map count as, the far plane
-inline float umbrage_border_depth() {
-    return umbrage_cleared_depth();
-}
-`,
-            "hooks/border_depth, scaled": `
-// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
-inline float umbrage_border_depth() {
-    return 65536.0;
-}
-`,
-            "hooks/map_covers, bordered": `
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-inline bool umbrage_map_covers(float2 size, float2 coord) {
-    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 `,
             "hooks/map_covers, clamped": `
@@ -10524,28 +10455,16 @@ inline bool umbrage_map_covers(float2 size, float2 coord) {
     return true;
 }
 `,
-            "hooks/beyond_far_plane, forward": `
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
-inline bool umbrage_beyond_far_plane(float receiver) {
-    return receiver > 1.0;
-}
-`,
             "hooks/beyond_far_plane, reversed": `
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver < 0.0;
 }
 `,
-            "hooks/beyond_far_plane, scaled": `
-// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+            "hooks/beyond_far_plane, without": `
+// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
 inline bool umbrage_beyond_far_plane(float receiver) {
     return false;
-}
-`,
-            "hooks/within_far_plane, forward": `
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
-inline bool umbrage_within_far_plane(float receiver) {
-    return receiver <= 1.0;
 }
 `,
             "hooks/within_far_plane, reversed": `
@@ -10554,10 +10473,12 @@ inline bool umbrage_within_far_plane(float receiver) {
     return receiver >= 0.0;
 }
 `,
-            "hooks/compare, forward": `
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
-inline float umbrage_compare(float receiver, float stored) {
-    return receiver <= stored ? 1.0 : 0.0;
+            "hooks/within_far_plane, without": `
+// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
+inline bool umbrage_within_far_plane(float receiver) {
+    // a sum of choices, not an or of comparisons, which compilers take for true
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return number > 0.5;
 }
 `,
             "hooks/compare, reversed": `
@@ -10566,15 +10487,14 @@ inline float umbrage_compare(float receiver, float stored) {
     return receiver >= stored ? 1.0 : 0.0;
 }
 `,
-            "hooks/texel": `
-// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
-inline float4 umbrage_texel(UMBRAGE_MAP map, float2 size, float2 texel) {
-    float2 at = texel + UMBRAGE_ORIGIN;
-    return UMBRAGE_TEXEL;
+            "hooks/compare, own": `
+// umbrage_compare: visibility of one comparison, the map's own
+inline float umbrage_compare(float receiver, float stored) {
+    return UMBRAGE_COMPARE;
 }
 `,
             "hooks/decode": `
-// umbrage_decode: depth of a texel's value
+// umbrage_decode: depth of a value that the sampler gave
 inline float umbrage_decode(float4 value) {
     return UMBRAGE_DEPTH;
 }
@@ -10582,15 +10502,8 @@ inline float umbrage_decode(float4 value) {
             "hooks/fetch_depth, clamped": `
 // umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
 inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
-    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-}
-`,
-            "hooks/fetch_depth, bordered": `
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
-inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
-    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
-    float depth = umbrage_decode(umbrage_texel(map, size, inside));
-    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
+    float4 value = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
 }
 `,
             "hooks/lit_texel": `
@@ -10612,7 +10525,7 @@ inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float recei
 inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float lit = umbrage_lit_texel(map, size, inside, receiver);
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 `,
@@ -10676,7 +10589,7 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
 //   the far plane, whatever the sampler has there
 inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float4 lit = umbrage_gather_lit(map, size, texel, receiver);
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     float a = umbrage_inside_map(size, texel) ? lit.x : outside;
     float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? lit.y : outside;
     float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? lit.z : outside;
@@ -10695,7 +10608,7 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
     float2 right = low.x < -0.5 ? float2(lit.x, lit.z) : float2(lit.y, lit.w);
     float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
     float2 top = low.y < -0.5 ? float2(left.x, right.x) : float2(left.y, right.y);
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
     float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? bottom.y : outside;
     float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? top.x : outside;
@@ -10724,7 +10637,7 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
     float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = metal::clamp(metal::min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
@@ -10740,7 +10653,7 @@ inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float recei
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
     float lit = UMBRAGE_LIT_FILTERED;
-    float outside = umbrage_compare(receiver, umbrage_border_depth());
+    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     float2 inside = metal::clamp((0.5 - metal::abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
@@ -10757,7 +10670,7 @@ inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     float depth = umbrage_decode(UMBRAGE_SAMPLED);
-    return metal::abs(uv.x - 0.5) <= 0.5 && metal::abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
+    return metal::abs(uv.x - 0.5) <= 0.5 && metal::abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
 }
 `,
         },
@@ -10766,7 +10679,6 @@ inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
         prelude: "",
         may_reorder: "WGSL",
         preprocessor: false,
-        macros: false,
         textures: {
             texture_2d: { parameters: "map: texture_2d<f32>", arguments: "map", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
             atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
@@ -11103,6 +11015,15 @@ fn umbrage_pancake(position: vec4f, at_near: f32) -> vec4f {
     return vec4f(position.x, position.y, select(position.z, plane, before), position.w);
 }
 `,
+            "texel": `
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+fn umbrage_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
             "from_unorm": `
 // umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
 fn umbrage_from_unorm(c: f32) -> f32 {
@@ -11204,6 +11125,12 @@ fn umbrage_view_z_from_orthographic_depth(depth: f32, z_near: f32, z_far: f32) -
 // z_near; when reversed, exchange z_near and z_far
 fn umbrage_orthographic_depth_from_view_z(z_view: f32, z_near: f32, z_far: f32) -> f32 {
     return (z_view - z_near) / (z_far - z_near);
+}
+`,
+            "cleared_depth": `
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
 }
 `,
             "saturate": `
@@ -11871,6 +11798,15 @@ fn umbrage_fetch_bordered(UMBRAGE_MAP map, size: vec2f, texel: vec2f, border: ve
     return select(border, value, at.x == texel.x && at.y == texel.y);
 }
 `,
+            "fetch_depth": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let value: vec4f = umbrage_texel(map, size, inside);
+    let depth: f32 = UMBRAGE_DEPTH;
+    return select(UMBRAGE_BORDER, depth, inside.x == texel.x && inside.y == texel.y);
+}
+`,
             "depth_at": `
 // umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
@@ -11878,11 +11814,23 @@ fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }
 `,
+            "beyond_far_plane": `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+`,
             "in_filter_domain": `
 // umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
 fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
     // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
+}
+`,
+            "compare": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
 }
 `,
             "lit": `
@@ -11901,12 +11849,16 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
     return vec4f(a, b, c, d);
 }
 `,
+            "map_covers": `
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+`,
             "within_far_plane": `
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 fn umbrage_within_far_plane(receiver: f32) -> bool {
-    // a sum of choices, not an or of comparisons, which compilers take for true
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select((number > 0.5), false, umbrage_beyond_far_plane(receiver));
+    return receiver <= 1.0;
 }
 `,
             "compare_dx_sdk": `
@@ -13847,34 +13799,10 @@ fn umbrage_overlay_texel(coord: f32, size: f32, map_size: f32, texels_per_pixel:
     return select(-1.0, texel, coord >= 0.0 && coord < size);
 }
 `,
-            "hooks/cleared_depth, forward": `
-// umbrage_cleared_depth: depth of the far plane
-fn umbrage_cleared_depth() -> f32 {
-    return 1.0;
-}
-`,
             "hooks/cleared_depth, reversed": `
 // umbrage_cleared_depth: depth of the far plane
 fn umbrage_cleared_depth() -> f32 {
     return 0.0;
-}
-`,
-            "hooks/border_depth, a depth": `
-// umbrage_border_depth: what texels outside the map count as, the far plane
-fn umbrage_border_depth() -> f32 {
-    return umbrage_cleared_depth();
-}
-`,
-            "hooks/border_depth, scaled": `
-// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
-fn umbrage_border_depth() -> f32 {
-    return 65536.0;
-}
-`,
-            "hooks/map_covers, bordered": `
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
-    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 `,
             "hooks/map_covers, clamped": `
@@ -13883,28 +13811,16 @@ fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
     return true;
 }
 `,
-            "hooks/beyond_far_plane, forward": `
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
-fn umbrage_beyond_far_plane(receiver: f32) -> bool {
-    return receiver > 1.0;
-}
-`,
             "hooks/beyond_far_plane, reversed": `
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver < 0.0;
 }
 `,
-            "hooks/beyond_far_plane, scaled": `
-// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+            "hooks/beyond_far_plane, without": `
+// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
 fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return false;
-}
-`,
-            "hooks/within_far_plane, forward": `
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
-fn umbrage_within_far_plane(receiver: f32) -> bool {
-    return receiver <= 1.0;
 }
 `,
             "hooks/within_far_plane, reversed": `
@@ -13913,10 +13829,12 @@ fn umbrage_within_far_plane(receiver: f32) -> bool {
     return receiver >= 0.0;
 }
 `,
-            "hooks/compare, forward": `
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
-fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
-    return select(0.0, 1.0, receiver <= stored);
+            "hooks/within_far_plane, without": `
+// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
+fn umbrage_within_far_plane(receiver: f32) -> bool {
+    // a sum of choices, not an or of comparisons, which compilers take for true
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return number > 0.5;
 }
 `,
             "hooks/compare, reversed": `
@@ -13925,15 +13843,14 @@ fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver >= stored);
 }
 `,
-            "hooks/texel": `
-// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
-fn umbrage_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> vec4f {
-    let at: vec2f = texel + UMBRAGE_ORIGIN;
-    return UMBRAGE_TEXEL;
+            "hooks/compare, own": `
+// umbrage_compare: visibility of one comparison, the map's own
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return UMBRAGE_COMPARE;
 }
 `,
             "hooks/decode": `
-// umbrage_decode: depth of a texel's value
+// umbrage_decode: depth of a value that the sampler gave
 fn umbrage_decode(value: vec4f) -> f32 {
     return UMBRAGE_DEPTH;
 }
@@ -13941,15 +13858,8 @@ fn umbrage_decode(value: vec4f) -> f32 {
             "hooks/fetch_depth, clamped": `
 // umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
 fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
-    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-}
-`,
-            "hooks/fetch_depth, bordered": `
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
-fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
-    let depth: f32 = umbrage_decode(umbrage_texel(map, size, inside));
-    return select(umbrage_border_depth(), depth, inside.x == texel.x && inside.y == texel.y);
+    let value: vec4f = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
 }
 `,
             "hooks/lit_texel": `
@@ -13971,7 +13881,7 @@ fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32
 fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let lit: f32 = umbrage_lit_texel(map, size, inside, receiver);
-    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
     return select(outside, lit, inside.x == texel.x && inside.y == texel.y);
 }
 `,
@@ -14035,7 +13945,7 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
 //   the far plane, whatever the sampler has there
 fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let lit: vec4f = umbrage_gather_lit(map, size, texel, receiver);
-    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
     let a: f32 = select(outside, lit.x, umbrage_inside_map(size, texel));
     let b: f32 = select(outside, lit.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
     let c: f32 = select(outside, lit.z, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
@@ -14054,7 +13964,7 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
     let right: vec2f = select(vec2f(lit.y, lit.w), vec2f(lit.x, lit.z), low.x < -0.5);
     let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
     let top: vec2f = select(vec2f(left.y, right.y), vec2f(left.x, right.x), low.y < -0.5);
-    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
     let a: f32 = select(outside, bottom.x, umbrage_inside_map(size, texel));
     let b: f32 = select(outside, bottom.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
     let c: f32 = select(outside, top.x, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
@@ -14083,7 +13993,7 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
     let uv: vec2f = UMBRAGE_UV;
     let lit: f32 = UMBRAGE_LIT_FILTERED;
     let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
-    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
     return select(0.0, outside + inside.x * inside.y * (lit - outside), umbrage_within_far_plane(receiver));
 }
 `,
@@ -14099,7 +14009,7 @@ fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
     let lit: f32 = UMBRAGE_LIT_FILTERED;
-    let outside: f32 = umbrage_compare(receiver, umbrage_border_depth());
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
     let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
@@ -14116,7 +14026,7 @@ fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
     let depth: f32 = umbrage_decode(UMBRAGE_SAMPLED);
-    return select(umbrage_border_depth(), depth, abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5);
+    return select(UMBRAGE_BORDER, depth, abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5);
 }
 `,
         },
@@ -14249,7 +14159,7 @@ const rows = [
     ["receiver_ps14", "receiver_ps14", "receiver on the scale of decode_ps14", "b", 1, 0, false, "100", "none", false, []],
     ["inside_map", "inside_map", "whether a texel is one of the map's", "a", 0, 0, false, "100", "none", false, []],
     ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, 0, false, "100", "none", false, ["texel"]],
-    ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, 0, false, "100", "fetch_depth", false, ["fetch_clamped", "fetch_bordered", "cleared_depth"]],
+    ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, 0, false, "100", "fetch_depth", false, ["texel"]],
     ["depth_at", "depth_at", "stored depth at a point of the map", "c", 4, 0, false, "100", "depth_at", false, ["fetch_depth"]],
     ["beyond_far_plane", "beyond_far_plane", "receivers behind the far plane", "a", 0, 0, false, "100", "beyond_far_plane", false, []],
     ["in_filter_domain", "in_filter_domain", "receivers that a filter compares; it takes the others as lit", "a", 0, 0, false, "100", "none", false, ["inside_texel_space", "beyond_far_plane"]],
@@ -14257,7 +14167,7 @@ const rows = [
     ["lit", "lit", "one comparison with a texel", "a", 0, 0, false, "100", "lit", false, ["compare", "fetch_depth"]],
     ["lit_2x2", "lit_2x2", "comparisons with the 2x2 texels from one on", "a", 0, 0, false, "100", "lit_2x2", false, ["lit"]],
     ["map_covers", "map_covers", "whether a receiver of a prefiltered map lies in it", "a", 0, 0, false, "100", "map_covers", false, []],
-    ["within_far_plane", "within_far_plane", "receivers up to the far plane, NaN is none", "a", 0, 0, false, "100", "within_far_plane", false, ["beyond_far_plane"]],
+    ["within_far_plane", "within_far_plane", "receivers up to the far plane, NaN is none", "a", 0, 0, false, "100", "within_far_plane", false, []],
     ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 1, 0, false, "100", "none", false, []],
     ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 1, 0, false, "100", "none", false, []],
     ["window_sum3", "window_sum3", "weighted count of lit texels under a window of 3 x 3", "a", 0, 0, false, "100", "none", false, ["in_filter_domain", "lit_2x2"]],
@@ -14384,39 +14294,32 @@ const rows = [
     ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 5, 0, false, "100", "none", false, []],
     ["false_color", "false_color", "0..1 to blue, green, red", "b", 3, 0, false, "100", "none", false, ["saturate"]],
     ["overlay_texel", "overlay_texel", "which texel of a map stretched over the picture's corner a pixel shows, along one side", "a", 0, 0, false, "100", "none", false, []],
-    ["hooks/cleared_depth, forward", "cleared_depth", "cleared_depth, forward", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/cleared_depth, reversed", "cleared_depth", "cleared_depth, reversed", "a", 0, 0, false, "100", "chosen", false, []],
-    ["hooks/border_depth, a depth", "border_depth", "border_depth, a depth", "a", 0, 0, false, "100", "border_depth", false, ["cleared_depth"]],
-    ["hooks/border_depth, scaled", "border_depth", "border_depth, scaled", "a", 0, 0, false, "100", "chosen", false, []],
-    ["hooks/map_covers, bordered", "map_covers", "map_covers, bordered", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/map_covers, clamped", "map_covers", "map_covers, clamped", "a", 0, 0, false, "100", "chosen", false, []],
-    ["hooks/beyond_far_plane, forward", "beyond_far_plane", "beyond_far_plane, forward", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/beyond_far_plane, reversed", "beyond_far_plane", "beyond_far_plane, reversed", "a", 0, 0, false, "100", "chosen", false, []],
-    ["hooks/beyond_far_plane, scaled", "beyond_far_plane", "beyond_far_plane, scaled", "a", 0, 0, false, "100", "chosen", false, []],
-    ["hooks/within_far_plane, forward", "within_far_plane", "within_far_plane, forward", "a", 0, 0, false, "100", "chosen", false, []],
+    ["hooks/beyond_far_plane, without", "beyond_far_plane", "beyond_far_plane, without", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/within_far_plane, reversed", "within_far_plane", "within_far_plane, reversed", "a", 0, 0, false, "100", "chosen", false, []],
-    ["hooks/compare, forward", "compare", "compare, forward", "a", 0, 0, false, "100", "chosen", false, []],
+    ["hooks/within_far_plane, without", "within_far_plane", "within_far_plane, without", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/compare, reversed", "compare", "compare, reversed", "a", 0, 0, false, "100", "chosen", false, []],
-    ["hooks/texel", "texel", "texel", "a", 0, 0, false, "100", "chosen", false, []],
+    ["hooks/compare, own", "compare", "compare, own", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/decode", "decode", "decode", "a", 0, 0, false, "100", "chosen", false, []],
-    ["hooks/fetch_depth, clamped", "fetch_depth", "fetch_depth, clamped", "a", 0, 0, false, "100", "chosen", false, ["fetch_clamped", "hooks/decode"]],
-    ["hooks/fetch_depth, bordered", "fetch_depth", "fetch_depth, bordered", "a", 0, 0, false, "100", "chosen", false, ["texel", "hooks/decode", "hooks/border_depth, a depth"]],
+    ["hooks/fetch_depth, clamped", "fetch_depth", "fetch_depth, clamped", "a", 0, 0, false, "100", "chosen", false, ["fetch_clamped"]],
     ["hooks/lit_texel", "lit_texel", "lit_texel", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/lit, clamped", "lit", "lit, clamped", "a", 0, 0, false, "100", "chosen", false, ["hooks/lit_texel"]],
-    ["hooks/lit, bordered", "lit", "lit, bordered", "a", 0, 0, false, "100", "chosen", false, ["hooks/lit_texel", "compare", "hooks/border_depth, a depth"]],
+    ["hooks/lit, bordered", "lit", "lit, bordered", "a", 0, 0, false, "100", "chosen", false, ["hooks/lit_texel", "compare"]],
     ["hooks/gather_lit, compared", "gather_lit", "gather_lit, compared", "a", 0, 0, false, "100", "gather_lit", false, []],
     ["hooks/gather_lit, one channel", "gather_lit", "gather_lit, one channel", "a", 0, 0, false, "100", "chosen", false, ["hooks/decode", "compare"]],
     ["hooks/gather_lit, two channels", "gather_lit", "gather_lit, two channels", "a", 0, 0, false, "100", "chosen", false, ["hooks/decode", "compare"]],
     ["hooks/lit_2x2, gathered", "lit_2x2", "lit_2x2, gathered", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered in a region", "lit_2x2", "lit_2x2, gathered in a region", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared"]],
-    ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "hooks/border_depth, a depth"]],
-    ["hooks/lit_2x2, gathered in a bordered region", "lit_2x2", "lit_2x2, gathered in a bordered region", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "hooks/border_depth, a depth"]],
+    ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare"]],
+    ["hooks/lit_2x2, gathered in a bordered region", "lit_2x2", "lit_2x2, gathered in a bordered region", "a", 0, 0, false, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare"]],
     ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "c", 0, 1 / 128, false, "100", "chosen", false, ["within_far_plane"]],
-    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "c", 0, 1 / 128, false, "100", "chosen", false, ["within_far_plane", "compare", "hooks/border_depth, a depth"]],
+    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "c", 0, 1 / 128, false, "100", "chosen", false, ["within_far_plane", "compare"]],
     ["hooks/lit_at, sampled", "lit_at", "lit_at, sampled", "c", 0, 1 / 128, false, "100", "chosen", false, []],
-    ["hooks/lit_at, sampled and bordered", "lit_at", "lit_at, sampled and bordered", "c", 0, 1 / 128, false, "100", "chosen", false, ["compare", "hooks/border_depth, a depth"]],
+    ["hooks/lit_at, sampled and bordered", "lit_at", "lit_at, sampled and bordered", "c", 0, 1 / 128, false, "100", "chosen", false, ["compare"]],
     ["hooks/depth_at, sampled", "depth_at", "depth_at, sampled", "c", 4, 0, false, "100", "chosen", false, ["hooks/decode"]],
-    ["hooks/depth_at, sampled and bordered", "depth_at", "depth_at, sampled and bordered", "c", 4, 0, false, "100", "chosen", false, ["hooks/decode", "hooks/border_depth, a depth"]],
+    ["hooks/depth_at, sampled and bordered", "depth_at", "depth_at, sampled and bordered", "c", 4, 0, false, "100", "chosen", false, ["hooks/decode"]],
 ];
 const all = new Map(rows.map(([id, name, summary, exactness, operations, within, as_written, lowest, role, scaled]) =>
     [id, { id, name, summary, exactness, operations, within, as_written, lowest, role, scaled, needs: [] }]));
@@ -14427,85 +14330,85 @@ const hooks = part(true);
 const snippets = part(false);
 const encodings = {
     depth32f: { direction: "forward", depth: "", channels: 1, needs: [],
-        write: snippets.saturate, writes: "depth", format: "R32F", cleared: [1, 0, 0, 0],
+        writer: snippets.saturate, writes: "depth", format: "R32F", cleared: [1, 0, 0, 0],
         reversed: { direction: "reversed", depth: "", channels: 1, needs: [],
-        write: snippets.saturate, writes: "depth", format: "R32F", cleared: [0, 0, 0, 0] } },
+        writer: snippets.saturate, writes: "depth", format: "R32F", cleared: [0, 0, 0, 0] } },
     rg9: { direction: "forward", depth: "umbrage_decode_rg9(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg9],
-        write: snippets.encode_rg9, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 128 / 255, 0, 0],
+        writer: snippets.encode_rg9, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 128 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg9(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg9],
-        write: snippets.encode_rg9, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
+        writer: snippets.encode_rg9, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg10: { direction: "forward", depth: "umbrage_decode_rg10(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg10],
-        write: snippets.encode_rg10, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 192 / 255, 0, 0],
+        writer: snippets.encode_rg10, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 192 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg10(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg10],
-        write: snippets.encode_rg10, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
+        writer: snippets.encode_rg10, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg11: { direction: "forward", depth: "umbrage_decode_rg11(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg11],
-        write: snippets.encode_rg11, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 224 / 255, 0, 0],
+        writer: snippets.encode_rg11, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 224 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg11(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg11],
-        write: snippets.encode_rg11, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
+        writer: snippets.encode_rg11, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg12: { direction: "forward", depth: "umbrage_decode_rg12(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg12],
-        write: snippets.encode_rg12, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 240 / 255, 0, 0],
+        writer: snippets.encode_rg12, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 240 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg12(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg12],
-        write: snippets.encode_rg12, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
+        writer: snippets.encode_rg12, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg13: { direction: "forward", depth: "umbrage_decode_rg13(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg13],
-        write: snippets.encode_rg13, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 248 / 255, 0, 0],
+        writer: snippets.encode_rg13, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 248 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg13(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg13],
-        write: snippets.encode_rg13, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
+        writer: snippets.encode_rg13, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg14: { direction: "forward", depth: "umbrage_decode_rg14(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg14],
-        write: snippets.encode_rg14, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 252 / 255, 0, 0],
+        writer: snippets.encode_rg14, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 252 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg14(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg14],
-        write: snippets.encode_rg14, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
+        writer: snippets.encode_rg14, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg15: { direction: "forward", depth: "umbrage_decode_rg15(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg15],
-        write: snippets.encode_rg15, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 254 / 255, 0, 0],
+        writer: snippets.encode_rg15, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 254 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg15(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg15],
-        write: snippets.encode_rg15, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
+        writer: snippets.encode_rg15, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rg16: { direction: "forward", depth: "umbrage_decode_rg16(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg16],
-        write: snippets.encode_rg16, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 255 / 255, 0, 0],
+        writer: snippets.encode_rg16, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 255 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rg16(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg16],
-        write: snippets.encode_rg16, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
+        writer: snippets.encode_rg16, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0, 0] } },
     rgb24: { direction: "forward", depth: "umbrage_decode_rgb24(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb24],
-        write: snippets.encode_rgb24, writes: "integers", format: "RGB8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 255 / 255, 255 / 255, 0],
+        writer: snippets.encode_rgb24, writes: "integers", format: "RGB8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 255 / 255, 255 / 255, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rgb24(value.xyz, 0.0)", channels: 3, needs: [snippets.decode_rgb24],
-        write: snippets.encode_rgb24, writes: "integers", format: "RGB8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
+        writer: snippets.encode_rgb24, writes: "integers", format: "RGB8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
     rgb10: { direction: "forward", depth: "umbrage_decode_rgb10(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb10],
-        write: snippets.encode_rgb10, writes: "integers", format: "RGB10_A2", to_unorm: snippets.to_unorm10, cleared: [1023 / 1023, 1023 / 1023, 960 / 1023, 0],
+        writer: snippets.encode_rgb10, writes: "integers", format: "RGB10_A2", to_unorm: snippets.to_unorm10, cleared: [1023 / 1023, 1023 / 1023, 960 / 1023, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_rgb10(value.xyz, 0.0)", channels: 3, needs: [snippets.decode_rgb10],
-        write: snippets.encode_rgb10, writes: "integers", format: "RGB10_A2", to_unorm: snippets.to_unorm10, cleared: [0 / 1023, 0 / 1023, 0 / 1023, 0] } },
+        writer: snippets.encode_rgb10, writes: "integers", format: "RGB10_A2", to_unorm: snippets.to_unorm10, cleared: [0 / 1023, 0 / 1023, 0 / 1023, 0] } },
     r16: { direction: "forward", depth: "umbrage_decode_r16(value.x, 1.0)", channels: 1, needs: [snippets.decode_r16],
-        write: snippets.encode_r16, writes: "integers", format: "R16", to_unorm: snippets.to_unorm16, cleared: [65535 / 65535, 0, 0, 0],
+        writer: snippets.encode_r16, writes: "integers", format: "R16", to_unorm: snippets.to_unorm16, cleared: [65535 / 65535, 0, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_r16(value.x, 0.0)", channels: 1, needs: [snippets.decode_r16],
-        write: snippets.encode_r16, writes: "integers", format: "R16", to_unorm: snippets.to_unorm16, cleared: [0 / 65535, 0, 0, 0] } },
+        writer: snippets.encode_r16, writes: "integers", format: "R16", to_unorm: snippets.to_unorm16, cleared: [0 / 65535, 0, 0, 0] } },
     float_bits: { direction: "forward", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
-        write: snippets.encode_float_bits, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 128 / 255, 63 / 255],
+        writer: snippets.encode_float_bits, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 128 / 255, 63 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
-        write: snippets.encode_float_bits, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        writer: snippets.encode_float_bits, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     threejs_rgba: { direction: "forward", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
-        write: snippets.write_threejs_rgba, writes: "values", format: "RGBA8", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
+        writer: snippets.write_threejs_rgba, writes: "values", format: "RGBA8", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
-        write: snippets.write_threejs_rgba, writes: "values", format: "RGBA8", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        writer: snippets.write_threejs_rgba, writes: "values", format: "RGBA8", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     threejs_rgb: { direction: "forward", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
-        write: snippets.write_threejs_rgb, writes: "values", format: "RGB8", cleared: [255 / 255, 255 / 255, 255 / 255, 0],
+        writer: snippets.write_threejs_rgb, writes: "values", format: "RGB8", cleared: [255 / 255, 255 / 255, 255 / 255, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
-        write: snippets.write_threejs_rgb, writes: "values", format: "RGB8", cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
+        writer: snippets.write_threejs_rgb, writes: "values", format: "RGB8", cleared: [0 / 255, 0 / 255, 0 / 255, 0] } },
     threejs_rg: { direction: "forward", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
-        write: snippets.write_threejs_rg, writes: "values", format: "RG8", cleared: [255 / 255, 255 / 255, 0, 0],
+        writer: snippets.write_threejs_rg, writes: "values", format: "RG8", cleared: [255 / 255, 255 / 255, 0, 0],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
-        write: snippets.write_threejs_rg, writes: "values", format: "RG8", cleared: [0 / 255, 0 / 255, 0, 0] } },
+        writer: snippets.write_threejs_rg, writes: "values", format: "RG8", cleared: [0 / 255, 0 / 255, 0, 0] } },
     threejs_legacy: { direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-        write: snippets.write_threejs_legacy, writes: "values", format: "RGBA8", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
+        writer: snippets.write_threejs_legacy, writes: "values", format: "RGBA8", cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-        write: snippets.write_threejs_legacy, writes: "values", format: "RGBA8", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        writer: snippets.write_threejs_legacy, writes: "values", format: "RGBA8", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     threejs_legacy_repaired: { direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-        write: snippets.encode_threejs_legacy_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
+        writer: snippets.encode_threejs_legacy_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 255 / 255, 255 / 255, 255 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-        write: snippets.encode_threejs_legacy_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        writer: snippets.encode_threejs_legacy_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     base255: { direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-        write: snippets.write_base255, writes: "values", format: "RGBA8", cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
+        writer: snippets.write_base255, writes: "values", format: "RGBA8", cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-        write: snippets.write_base255, writes: "values", format: "RGBA8", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        writer: snippets.write_base255, writes: "values", format: "RGBA8", cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
     base255_repaired: { direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-        write: snippets.encode_base255_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
+        writer: snippets.encode_base255_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [255 / 255, 0 / 255, 0 / 255, 0 / 255],
         reversed: { direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-        write: snippets.encode_base255_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
+        writer: snippets.encode_base255_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0 / 255, 0 / 255, 0 / 255, 0 / 255] } },
 };
 const glsl = in_language('glsl');
 const hlsl = in_language('hlsl');

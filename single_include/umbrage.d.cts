@@ -31,10 +31,14 @@ export interface Binding {
     outside?: 'bordered' | 'clamped';
     /** 2x2 texels at once; the sampler must clamp to the edge, but for regions. */
     gather?: boolean;
-    /** Of `value`, four floats, as "umbrage_decode_rg11(value.xy, 1.0)"; else value.x. */
+    /** Of `value`, four floats, as "umbrage_decode_rg11(value.xy, 1.0)"; else value.x. Where nothing is gathered
+     *  also of `texel`, two floats, the number that was asked for. */
     depth?: string;
     /** How many components of `value` it reads. */
     channels?: number;
+    /** Of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Left out: by direction. With one's own
+     *  no receiver is beyond the far plane. */
+    compare?: string;
     /** The map's first texel in the texture: two floats. */
     origin?: string;
     /** For regions of textures that are read by coordinates: two floats. */
@@ -50,7 +54,7 @@ export interface Binding {
 /** A map of texels in an encoding, and how they come about: without blending, of one sample, in a target that is not sRGB. */
 export interface Encoding extends Readonly<Binding> {
     /** What makes a texel of a depth. */
-    readonly write: Snippet;
+    readonly writer: Snippet;
     /** What it returns: a depth for a float target; integer channels, of which to_unorm makes values; values for a UNORM
      *  target. */
     readonly writes: 'depth' | 'integers' | 'values';

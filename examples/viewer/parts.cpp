@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/core/compare.hpp>
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
@@ -64,19 +65,22 @@ bool compares_projected(const shadow_system& s) {
             (example::hardens(s.filter) && s.depth != example::depth_kind::projected));
 }
 
-bias bias_of(const shadow_system& s, const glsl::binding& map) {
+bias bias_of(const shadow_system& s) {
     bias out{.uses{}, .statement{}, .ahead{planes}};
     example::with_bias(s.bias, [&](const auto& of) { out.uses = of.snippets(), out.statement = of.statement; });
-    const bool moves = example::moves_stored_depths(s.bias);
-    if (moves) out.ahead += "vec2 plane, plane_at;\n";
-    if (!compares_projected(s)) return out;
-    out.uses.insert(out.uses.end(), map.needs.begin(), map.needs.end());
-    std::string stored = map.depth.empty() ? "value.x" : map.depth;
-    stored.replace(stored.find("value"), 5, "umbrage_fetch_clamped(map, size, texel)");
-    stored = projected(s, stored);
-    if (moves) stored = "umbrage_apply_receiver_plane(" + stored + ", plane, plane_at, texel)";
-    out.ahead += "#define UMBRAGE_FETCH(map, size, texel) " + stored + "\n";
+    if (example::moves_stored_depths(s.bias)) out.ahead += "vec2 plane, plane_at;\n";
     return out;
+}
+
+glsl::binding compared_map(const shadow_system& s, glsl::binding map) {
+    map.outside = umbrage::outside_map::clamped;  // as the originals sampled
+    if (!compares_projected(s)) return map;
+    map.depth = projected(s, map.depth.empty() ? "value.x" : map.depth);
+    map.needs.insert(map.needs.end(), depth_snippets().begin(), depth_snippets().end());
+    if (!example::moves_stored_depths(s.bias)) return map;
+    map.depth = "umbrage_apply_receiver_plane(" + map.depth + ", plane, plane_at, texel)";
+    map.needs.push_back(glsl::apply_receiver_plane);
+    return map;
 }
 
 namespace {

@@ -43,12 +43,15 @@ inline constexpr const char* planes = "uniform vec3 planes;\n";
 /// Whether stored depths and receivers become z/w when they are compared.
 [[nodiscard]] bool compares_projected(const example::shadow_system& s);
 
-/// What a bias does to a receiver, and, ahead of the snippets, to stored depths.
+/// What a bias does to a receiver, and what it declares ahead of the snippets.
 struct bias {
     snippets uses;
     std::string statement, ahead;
 };
-[[nodiscard]] bias bias_of(const example::shadow_system& s, const glsl::binding& map);
+[[nodiscard]] bias bias_of(const example::shadow_system& s);
+
+/// The map whose depths a filter compares: as it is stored, and what projection and bias make of that.
+[[nodiscard]] glsl::binding compared_map(const example::shadow_system& s, glsl::binding map);
 
 struct filter {
     snippets uses;

@@ -2,7 +2,6 @@
 #include "programs.hpp"
 
 #include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,11 +24,11 @@ namespace {
 using example::shadow_system;
 using glsl::version;
 
-/// All of them, for a shader's one map, or for one that macros tell of.
-std::vector<glsl::bound> joined(std::initializer_list<snippets> lists, const std::optional<glsl::binding>& map) {
+/// All of them, for one map.
+std::vector<glsl::bound> joined(std::initializer_list<snippets> lists, const glsl::binding& map) {
     std::vector<glsl::bound> all;
     for (const snippets& list : lists)
-        for (const glsl::snippet& s : list) all.push_back(map ? bind(s, "", *map) : glsl::bound(s));
+        for (const glsl::snippet& s : list) all.push_back(bind(s, "", map));
     return all;
 }
 
@@ -103,11 +102,12 @@ void main() {
 stages camera_stages(const shadow_system& s, version v, bool mask) {
     const storage how = storage_of(s);
     const filter filter = filter_of(s);
-    const bias bias = bias_of(s, how.map);
+    const bias bias = bias_of(s);
     const bool projects = compares_projected(s), ahead = example::filters_ahead(s.filter);
     const bool sums = summed_table_of(s).has_value();
-    glsl::binding map = !ahead ? how.map : sums ? glsl::binding{.texture = glsl::texture::integer} : glsl::binding{};
-    if (!ahead) map.outside = umbrage::outside_map::clamped;  // as the originals sampled
+    const glsl::binding map = !ahead ? compared_map(s, how.map)
+                              : sums ? glsl::binding{.texture = glsl::texture::integer}
+                                     : glsl::binding{};
     const auto compared = [&](const char* depth) { return ahead ? even(s, depth) : projected(s, depth); };
     const std::string lit = s.shading == example::shading_kind::diffuse_ambient
                                 ? "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, visibility)"
@@ -136,7 +136,7 @@ void main() {
                                          filter.uses,
                                          {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate,
                                           glsl::texels_to_world, glsl::biased, glsl::spot_cone, glsl::diffuse_ambient}},
-                                        projects ? std::nullopt : std::optional(map)),
+                                        map),
                                  R"GLSL(
 varying vec3 world, world_normal, world_face;
 varying vec4 surface_color;   // alpha: 1 on the floor

@@ -250,13 +250,12 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
     return "";
 }
 
-/// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with
-/// macros to change it; bind() puts another in its place.
+/// What of a snippet is a map's own affair. The text of such a snippet is that of a plain map, a 2D texture of depths;
+/// bind() puts another in its place for other maps.
 enum class hook {
     none,
-    cleared_depth,
-    border_depth,
     map_covers,
+    cleared_depth,
     beyond_far_plane,
     within_far_plane,
     compare,
@@ -496,13 +495,9 @@ inline constexpr snippet cleared_depth{
     .exactness = tier::a,
     .role = hook::cleared_depth,
     .source = R"GLSL(
-// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+// umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
-#ifdef UMBRAGE_REVERSED
-    return 0.0;
-#else
     return 1.0;
-#endif
 }
 )GLSL",
 };
@@ -597,7 +592,7 @@ inline constexpr const snippet* scalar_snippets[]{&saturate};
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
 //
 // Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or
-// comparison where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either
+// comparison where the direction is known when the program runs (in shaders: the binding's direction). A NaN on either
 // side is in shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far_plane
 // before they compare.
 
@@ -719,17 +714,9 @@ inline constexpr snippet beyond_far_plane{
     .exactness = tier::a,
     .role = hook::beyond_far_plane,
     .source = R"GLSL(
-// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
-#ifndef UMBRAGE_BEYOND_FAR
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
-#else
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
-#endif
-#endif
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return UMBRAGE_BEYOND_FAR(receiver);
+    return receiver > 1.0;
 }
 )GLSL",
 };
@@ -738,14 +725,11 @@ inline constexpr snippet within_far_plane{
     .name = "within_far_plane",
     .summary = "receivers up to the far plane, NaN is none",
     .exactness = tier::a,
-    .needs = list<&beyond_far_plane>,
     .role = hook::within_far_plane,
     .source = R"GLSL(
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
-    // a sum of choices, not an or of comparisons, which compilers take for true
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
+    return receiver <= 1.0;
 }
 )GLSL",
 };
@@ -756,17 +740,9 @@ inline constexpr snippet compare{
     .exactness = tier::a,
     .role = hook::compare,
     .source = R"GLSL(
-// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_COMPARE
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
-#else
-#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
-#endif
-#endif
-// umbrage_compare: visibility of one comparison
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_COMPARE(receiver, stored);
+    return receiver <= stored ? 1.0 : 0.0;
 }
 )GLSL",
 };
@@ -828,7 +804,7 @@ template <real T>
 ///
 /// @param receiver   depth; NaN stays NaN, in shadow
 /// @param bias       in depth: towards the light above 0, away from it below; of 2^64 and more, and NaN: none
-/// @param is_lit     less_equal, greater_equal or comparison: the filter's own
+/// @param is_lit     less_equal, greater_equal or comparison: comparison{encoding.direction}, or the is_lit of a filter
 /// @return           the receiver that a filter compares
 /// @formula          receiver - bias; receiver + bias where depth is reversed
 /// @exactness        B, n = 1: one sum
@@ -1247,7 +1223,8 @@ consteval bool is_encoding() {
 //     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
 //     float visibility = filter(umbrage::bordered(map), coord, depth - bias);
 //
-// The library's own are listed in filters.hpp. Functions over images take any callable like them.
+// The library's own are listed in filters.hpp. Functions over images take any callable like them, and give its is_lit
+// the direction of the map's encoding: only with a fetch of your own, as above, does the filter have to be told.
 
 namespace umbrage {
 namespace detail {
@@ -2420,10 +2397,9 @@ inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &re
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
 //     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
-// In GLSL with both as globals, ahead of the filter:
+// In a shader with both as globals, ahead of the filter's text, which is bound to
 //
-//     #define STORED(map, size, at) umbrage_fetch_clamped(map, size, at).x
-//     #define UMBRAGE_FETCH(map, size, at) umbrage_apply_receiver_plane(STORED(map, size, at), slope, coord, at)
+//     {.depth = "umbrage_apply_receiver_plane(value.x, slope, coord, texel)", .needs = {apply_receiver_plane}}
 //
 
 namespace umbrage {
@@ -2819,17 +2795,11 @@ inline constexpr snippet texel{
     .role = hook::texel,
     .source = R"GLSL(
 // umbrage_texel: value of a texel inside the map
-//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   map    where its texels lie; a sampler that reads them filters by nearest
 //   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
-#ifndef UMBRAGE_MAP
-#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
-#endif
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-#if __VERSION__ >= 130
-    return texelFetch(map, ivec2(texel), 0);
-#else
-    return texture2D(map, (texel + 0.5) / size);
-#endif
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
 }
 )GLSL",
 };
@@ -3037,27 +3007,20 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 )GLSL",
 };
 
-/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_CLAMPED, defined beforehand,
-/// makes it clamped(map) instead of bordered(map, cleared_depth(clip)).
+/// That of a bordered map; bind() makes of it what a map's binding says.
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth",
     .summary = "stored depth of a texel",
     .exactness = tier::a,
-    .needs = list<&fetch_clamped, &fetch_bordered, &cleared_depth>,
+    .needs = list<&texel>,
     .role = hook::fetch_depth,
     .source = R"GLSL(
-// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
-// UMBRAGE_CLAMPED: define it and outside the map the nearest texel inside counts, where it is else the far plane
-#ifndef UMBRAGE_FETCH
-#ifdef UMBRAGE_CLAMPED
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
-#else
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
-#endif
-#endif
-// umbrage_fetch_depth: stored depth of a texel
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return UMBRAGE_FETCH(map, size, texel);
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
+    UMBRAGE_HIGHP float depth = UMBRAGE_DEPTH;
+    return inside.x == texel.x && inside.y == texel.y ? depth : UMBRAGE_BORDER;
 }
 )GLSL",
 };
@@ -3069,13 +3032,8 @@ inline constexpr snippet map_covers{
     .role = hook::map_covers,
     .source = R"GLSL(
 // umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-// UMBRAGE_CLAMPED: define it and all receivers do
 bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
-#ifdef UMBRAGE_CLAMPED
-    return true;
-#else
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
-#endif
 }
 )GLSL",
 };
@@ -3814,12 +3772,11 @@ struct rg {
 //
 //     bool lit = umbrage::receiver_rg<11>(depth, umbrage::upper_edge<float>) <= umbrage::level_rg<11>(sampled);
 //
-// In a filter, outside of whose map all is lit:
+// In a shader the filter is bound to
 //
-//     #define STORED(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(1.0)).xy
-//     #define UMBRAGE_FETCH(map, size, texel) umbrage_level_rg11(STORED(map, size, texel))
+//     {.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}}
 //
-// and umbrage_receiver_rg11(depth, 1.0) for the receiver; the filter's visibility is that of decode_rg, to the bit.
+// and takes umbrage_receiver_rg11(depth, 1.0) for the receiver; its visibility is that of decode_rg, to the bit.
 
 namespace umbrage {
 
@@ -4420,14 +4377,14 @@ inline constexpr const snippet* disc_snippets[]{&disc_rotation, &disc_tap, &disc
 namespace filters {
 
 /// A disc as a value; functions over images turn it from pixel to pixel.
-struct rotated_disc {
+struct disc {
     int points = 16;  ///< 8, 16 or 32
     float radius_texels = 2.0f;
     comparison is_lit{};
-    std::string_view name = "disc16";
-    const glsl::snippet* snippet = &glsl::disc<16>;
+    const glsl::snippet* snippet = points == 8 ? &glsl::disc<8> : points == 16 ? &glsl::disc<16> : &glsl::disc<32>;
+    std::string_view name = snippet->name;
 
-    static const std::array<rotated_disc, 3> values;
+    static const std::array<disc, 3> values;
 
     /// From a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const {
@@ -4449,10 +4406,7 @@ struct rotated_disc {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-template <int Points>
-inline constexpr rotated_disc disc{Points, 2.0f, {}, glsl::disc<Points>.name, &glsl::disc<Points>};
-
-inline constexpr std::array<rotated_disc, 3> rotated_disc::values{disc<8>, disc<16>, disc<32>};
+inline constexpr std::array<disc, 3> disc::values{{{.points = 8}, {.points = 16}, {.points = 32}}};
 
 }  // namespace filters
 }  // namespace umbrage
@@ -4774,15 +4728,13 @@ struct dpcf {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
     comparison is_lit{};
-    std::string_view name = "dpcf16";
-    const glsl::snippet* snippet = &glsl::dpcf<16>;
+    const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
+    std::string_view name = snippet->name;
 
     static const std::array<dpcf, 3> values;
 
     /// The disc of the widest radius.
-    [[nodiscard]] constexpr rotated_disc largest_disc() const {
-        return {points, softness.max_radius * 0.0625f, is_lit};
-    }
+    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
     /// From a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
@@ -4797,9 +4749,7 @@ struct dpcf {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-inline constexpr std::array<dpcf, 3> dpcf::values{{{8, {}, {}, "dpcf8", &glsl::dpcf<8>},
-                                                   {16, {}, {}, "dpcf16", &glsl::dpcf<16>},
-                                                   {32, {}, {}, "dpcf32", &glsl::dpcf<32>}}};
+inline constexpr std::array<dpcf, 3> dpcf::values{{{.points = 8}, {.points = 16}, {.points = 32}}};
 
 }  // namespace filters
 }  // namespace umbrage
@@ -4894,15 +4844,13 @@ struct pcss {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
     comparison is_lit{};
-    std::string_view name = "pcss16";
-    const glsl::snippet* snippet = &glsl::pcss<16>;
+    const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
+    std::string_view name = snippet->name;
 
     static const std::array<pcss, 3> values;
 
     /// The disc of the widest radius.
-    [[nodiscard]] constexpr rotated_disc largest_disc() const {
-        return {points, softness.max_radius * 0.0625f, is_lit};
-    }
+    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
     /// From a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
@@ -4917,9 +4865,7 @@ struct pcss {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-inline constexpr std::array<pcss, 3> pcss::values{{{8, {}, {}, "pcss8", &glsl::pcss<8>},
-                                                   {16, {}, {}, "pcss16", &glsl::pcss<16>},
-                                                   {32, {}, {}, "pcss32", &glsl::pcss<32>}}};
+inline constexpr std::array<pcss, 3> pcss::values{{{.points = 8}, {.points = 16}, {.points = 32}}};
 
 }  // namespace filters
 }  // namespace umbrage
@@ -10362,7 +10308,7 @@ private:
 
 namespace umbrage::filters {
 
-using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, rotated_disc>;
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, disc>;
 
 /// Beside them those that know the light's size: their maps hold z/w.
 using soft = list_of<pcss, dpcf>;
@@ -15131,11 +15077,11 @@ private:
 };
 
 template <>
-struct every_texel_form<filters::rotated_disc> {
+struct every_texel_form<filters::disc> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, glm::ivec2, ParallelFor&&,
+    static void with_blocks(const float_texels& map, const filters::disc& filter, glm::ivec2, ParallelFor&&,
                             const Use& use) {
         const disc_table taps(points_of_disc(filter.points).begin(), filter.points, filter.radius_texels);
         use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
@@ -15456,7 +15402,7 @@ struct every_texel_form<filters::window> {
 // Filters over many texels for receivers most of which are wholly lit or wholly in shadow. Those read the bounds of all
 // their texels, one number each, and only the rest read every texel. The result is the same, bit for bit.
 //
-// visibility() evaluates filters::box, window and rotated_disc so where bounds_pay().
+// visibility() evaluates filters::box, window and disc so where bounds_pay().
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::box{8}, out);
 //
@@ -15645,9 +15591,7 @@ struct hierarchical_disc_blocks {
     return 2 * clamp_int(filter.radius, max_box_radius) + 1;
 }
 [[nodiscard]] inline int width_of(const filters::window& filter) { return filter.row.touched(); }
-[[nodiscard]] inline int width_of(const filters::rotated_disc& filter) {
-    return reached_texels(filter.reach()).count();
-}
+[[nodiscard]] inline int width_of(const filters::disc& filter) { return reached_texels(filter.reach()).count(); }
 
 /// Whether an image is filtered in less time by bounds, with the pass over the map that makes them.
 ///
@@ -15673,7 +15617,7 @@ struct hierarchical_form : every_texel_form<Filter> {
         const box_bounds tree(map.map, width_of(filter), parallel);
         every_texel_form<Filter>::template with_blocks<Direction>(
             map, filter, receivers, parallel, [&]<class Blocks>(const Blocks& every_texel) {
-                if constexpr (std::is_same_v<Filter, filters::rotated_disc>)
+                if constexpr (std::is_same_v<Filter, filters::disc>)
                     use(hierarchical_disc_blocks<Direction>{tree, every_texel, reached_texels(filter.reach())});
                 else use(hierarchical_blocks<Blocks>{tree, every_texel});
             });
@@ -15696,7 +15640,7 @@ struct block_form<filters::box> : faster_form<filters::box> {};
 template <>
 struct block_form<filters::window> : faster_form<filters::window> {};
 template <>
-struct block_form<filters::rotated_disc> : faster_form<filters::rotated_disc> {};
+struct block_form<filters::disc> : faster_form<filters::disc> {};
 
 }  // namespace umbrage::detail
 
@@ -16062,22 +16006,22 @@ void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& 
                       });
 }
 
-/// Refuses a filter and an encoding that take a map's depth to run opposite ways: one of them would see all in shadow.
+/// The direction of a map's depth: its encoding's, or the filter's where the encoding has none.
 template <class Encoding, class Filter>
-void require_one_direction(const Encoding& encoding, const Filter& filter) {
-    if constexpr (requires { filter.is_lit.direction == encoding.direction; }) {
-        const bool reversed = encoding.direction == depth_direction::reversed;
-        require(filter.is_lit.direction == encoding.direction, "visibility", "filter.is_lit.direction",
-                reversed ? "the encoding's, reversed" : "the encoding's, forward", reversed ? "forward" : "reversed",
-                "Give both the map's: {.is_lit = {clip.direction}} and {.direction = clip.direction}.");
-    }
+[[nodiscard]] depth_direction direction_of(const Encoding& encoding, const Filter& filter) {
+    if constexpr (requires { encoding.direction; }) return encoding.direction;
+    else if constexpr (requires { filter.is_lit.direction; }) return filter.is_lit.direction;
+    else return depth_direction::forward;
 }
 
-/// The far plane's depth, as the filter or else the encoding knows it.
-template <class Encoding, class Filter>
-[[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
-    if constexpr (requires { filter.is_lit.direction; }) return cleared_depth(filter.is_lit.direction);
-    else return far_depth(encoding);
+/// The filter, comparing in the direction of the map's depth. A callable without is_lit is passed on.
+template <class Filter>
+[[nodiscard]] decltype(auto) in_direction(const Filter& filter, [[maybe_unused]] depth_direction direction) {
+    if constexpr (requires(Filter own) { own.is_lit.direction = direction; }) {
+        Filter own = filter;
+        own.is_lit.direction = direction;
+        return own;
+    } else return filter;
 }
 
 /// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
@@ -16117,33 +16061,34 @@ template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
-    require_one_direction(encoding, filter);
     require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
     require(!map.empty(), "visibility", "map.size", "above 0", map.size);
     if (out.empty()) return;
+    const depth_direction direction = direction_of(encoding, filter);
+    const auto& directed = in_direction(filter, direction);
     const auto clamped_map = decoded(clamped(map), encoding);
-    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, far_depth(encoding, filter)};
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared_depth(direction)};
     if constexpr (has_block_form<Filter>) {
         using form = block_form<Filter>;
         const erased_fetch bordered = erase(bordered_map);
         const bool has_border = outside == outside_map::bordered;
         const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-            return filtered(filter, bordered, coord, receiver, pixel);
+            return filtered(directed, bordered, coord, receiver, pixel);
         };
         const map_edge edge(alone, filter.reach(), map.size, has_border, has_border);
         const auto rows = [&](const auto& blocks) {
             parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
         };
         const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
-            if (filter.is_lit.direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, filter, out.size, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
+            if (direction == depth_direction::forward)
+                form::template with_blocks<depth_direction::forward>(texels, directed, out.size, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, directed, out.size, parallel, rows);
         });
-        if (!done) filter_each(receivers, filter, has_border ? bordered : erase(clamped_map), out, parallel);
+        if (!done) filter_each(receivers, directed, has_border ? bordered : erase(clamped_map), out, parallel);
     } else if (outside == outside_map::bordered) {
-        filter_each(receivers, filter, bordered_map, out, parallel);
+        filter_each(receivers, directed, bordered_map, out, parallel);
     } else {
-        filter_each(receivers, filter, clamped_map, out, parallel);
+        filter_each(receivers, directed, clamped_map, out, parallel);
     }
 }
 
@@ -16152,12 +16097,12 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// @param map         shadow map, texels of the encoding
 /// @param encoding    how the map's texels hold depth, and which way it runs; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
-/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
-///                    (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides, an ivec2
+/// @param filter      one of filters::, which compares in the encoding's direction whatever its is_lit says, or any
+///                    callable (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
 /// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
-/// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
+/// @throws std::invalid_argument  sizes differ, an empty map
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
@@ -16806,14 +16751,14 @@ struct placing_of<dual_paraboloid_light<float>> {
 /// Visibility of points from a light of several maps.
 ///
 /// @param map         its texels, and the light that they were drawn for
-/// @param encoding    how the texels hold depth; its edge decides ties
+/// @param encoding    how the texels hold depth, and which way it runs; its edge decides ties
 /// @param points      in the world, biased; what no cascade holds is lit, NaN too
-/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable as for
-///                    visibility. Texels beyond a tile are clamped to it: take the filter's reach as the light's border
+/// @param filter      as for visibility of a single map. Texels beyond a tile are clamped to it: take the filter's
+///                    reach as the light's border
 /// @param out         visibility, 1 lit; same size as points
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ, texels of another size than the light's tiles, filter and encoding of
-///                                different directions of depth, and what the light's make_ function complains of
+/// @throws std::invalid_argument  sizes differ, texels of another size than the light's tiles, and what the light's
+///                                make_ function complains of
 /// @exactness         the bits of the filter over each point's map: cascade_by_projection; cube_face or
 ///                    tetrahedron_face and that face's texture_matrix; dual_paraboloid_coordinate and distance_depth
 template <class Encoding, class Light, class Filter, class ParallelFor = serial>
@@ -16822,7 +16767,6 @@ void visibility(const light_map<typename Encoding::texel, Light>& map, const Enc
                 ParallelFor&& parallel = {}) {
     static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
     constexpr auto function = "visibility";
-    detail::require_one_direction(encoding, filter);
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     float reach = 0.0f;
     if constexpr (requires { filter.reach(); }) reach = filter.reach();
@@ -16831,12 +16775,13 @@ void visibility(const light_map<typename Encoding::texel, Light>& map, const Enc
     detail::require(place.size >= 1, function, "map.texels.size", "that of the light's tiles", map.texels.size);
     detail::require_size(map.texels.size, glm::ivec2(placing::columns, placing::rows) * place.size, function,
                          "map.texels.size", "that of the light's tiles");
+    const auto& directed = detail::in_direction(filter, detail::direction_of(encoding, filter));
     parallel(out.size.y, [&](int first, int last) {
         for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
             for (p.x = 0; p.x < out.size.x; ++p.x) {
                 const detail::placed_receiver r = place(points[p]);
                 const auto tile = map.texels.region(r.tile, glm::ivec2(place.size));
-                out[p] = detail::filtered(filter, decoded(clamped(tile), encoding), glm::vec2(r.at), r.at.z, p);
+                out[p] = detail::filtered(directed, decoded(clamped(tile), encoding), glm::vec2(r.at), r.at.z, p);
             }
     });
 }
@@ -17854,21 +17799,21 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
                     "of slots that the atlas has", glm::ivec2(entry));
     const auto table = [&](glm::ivec2 cell) { return map.table[cell]; };
     const auto page = static_cast<float>(map.size.texels), gutter = static_cast<float>(map.size.gutter);
+    const auto& directed = in_direction(filter, direction_of(encoding, filter));
     for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float depth, glm::ivec2 pixel) {
         const glm::vec4 at = page_coordinate(table, static_cast<float>(side), coord, page, gutter);
         const auto texels = map.atlas.region(glm::ivec2(at.z, at.w), glm::ivec2(pitch));
-        visibility = filtered(filter, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
+        visibility = filtered(directed, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
     });
 }
 
 }  // namespace detail
 
 /// @param map         atlas, table and the pages' size, which draw_pages and write_page_table were given
-/// @param encoding    how the atlas' texels hold depth; its edge decides ties
+/// @param encoding    how the atlas' texels hold depth, and which way it runs; its edge decides ties
 /// @param receivers   (x, y) from 1 to 2 across the root, z depth, biased; what has no page, and what lies beside the
 ///                    root, is lit
-/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable as for
-///                    visibility; it does not read beyond a page and its gutter
+/// @param filter      as for visibility of a single map; it does not read beyond a page and its gutter
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ, a table that is no square of a power of two and 2 or has slots
@@ -18017,7 +17962,7 @@ concept has_plane_form = requires {
 template <>
 struct plane_form<filters::window> : every_texel_form<filters::window> {};
 template <>
-struct plane_form<filters::rotated_disc> : every_texel_form<filters::rotated_disc> {};
+struct plane_form<filters::disc> : every_texel_form<filters::disc> {};
 template <>
 struct plane_form<filters::pcss> : block_form<filters::pcss> {};
 template <>
@@ -18113,26 +18058,26 @@ UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_wa
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
-/// @throws std::invalid_argument  sizes differ, an empty map, filter and encoding of different directions of depth
+/// @throws std::invalid_argument  sizes differ, an empty map
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const sloped_receivers& receivers, const Filter& filter, image_view<float> out,
                 ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
     static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
-    detail::require_one_direction(encoding, filter);
     detail::require_size(out.size, detail::size_of(receivers, "visibility"), "visibility", "out.size",
                          "the receivers' size");
     detail::require(!map.empty(), "visibility", "map.size", "above 0", map.size);
     if (out.empty()) return;
-    const float cleared = detail::far_depth(encoding, filter);
-    const depth_direction direction = cleared > 0.5f ? depth_direction::forward : depth_direction::reversed;
+    const depth_direction direction = detail::direction_of(encoding, filter);
+    const auto& directed = detail::in_direction(filter, direction);
+    const float cleared = cleared_depth(direction);
     const bool has_border = outside == outside_map::bordered;
     const auto clamped_map = decoded(clamped(map), encoding);
     const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
     const detail::erased_fetch fetch = has_border ? detail::erase(bordered_map) : detail::erase(clamped_map);
     const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
         const glm::vec2 slope(receivers.slope_x[pixel], receivers.slope_y[pixel]);
-        return detail::filtered(filter, apply_receiver_plane(fetch, slope, coord, direction), coord, receiver, pixel);
+        return detail::filtered(directed, apply_receiver_plane(fetch, slope, coord, direction), coord, receiver, pixel);
     };
     bool done = false;
     if constexpr (detail::has_plane_form<Filter>) {
@@ -18146,8 +18091,8 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
         };
         done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
             if (direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, filter, out.size, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, filter, out.size, parallel, rows);
+                form::template with_blocks<depth_direction::forward>(texels, directed, out.size, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, directed, out.size, parallel, rows);
         });
     }
     if (done) return;
@@ -18771,7 +18716,7 @@ namespace umbrage {
 struct variance_table {
     int bits = 11;    ///< of a depth's code, 1 to 12
     int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 };
 
 /// Sums of a map's codes, of distance from the near plane, and of their squares, for summed_variance.
@@ -18789,11 +18734,12 @@ template <class ParallelFor = serial>
     detail::require(!map.empty(), function, "map.size", "above 0", map.size);
     detail::require(of.bits >= 1 && of.bits <= 12, function, "bits", "from 1 to 12", of.bits);
     detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
+    const comparison is_lit{of.direction};
     image<std::uint32_t> codes(map.size), sums(map.size);
     std::uint32_t least = 65535, greatest = 0;
     for (int y = 0; y < map.size.y; ++y)
         for (int x = 0; x < map.size.x; ++x) {
-            const auto code = static_cast<std::uint32_t>(distance_code(map.row(y)[x], of.is_lit)) >> (16 - of.bits);
+            const auto code = static_cast<std::uint32_t>(distance_code(map.row(y)[x], is_lit)) >> (16 - of.bits);
             codes[{x, y}] = code;
             least = detail::lesser(least, code), greatest = detail::greater(greatest, code);
         }
@@ -18845,12 +18791,13 @@ void visibility(image_view<const glm::u16vec4> table, const variance_table& of, 
                        radius, "Make the table with this radius.");
     const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
     const auto codes = static_cast<float>(1 << of.bits), reach = static_cast<float>(radius);
+    const comparison is_lit{of.direction};
     parallel(out.size.y, [&](int first, int last) {
         for (int y = first; y < last; ++y)
             for (int x = 0; x < out.size.x; ++x) {
                 const glm::vec3 r = receivers.row(y)[x];
                 out.row(y)[x] =
-                    summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit, outside);
+                    summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, is_lit, outside);
             }
     });
 }
@@ -19871,11 +19818,14 @@ struct binding {
     glsl::texture texture = glsl::texture::texture_2d;
     depth_direction direction = depth_direction::forward;
     std::optional<outside_map> outside{};  ///< none: bordered, but clamped for tiles, regions and faces of cubes
-    bool gather = false;           ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
-                                   ///< edge, but for regions
-    std::string depth{};           ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x
-    int channels = 1;              ///< how many of `value` it reads
-    std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
+    bool gather = false;    ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
+                            ///< edge, but for regions
+    std::string depth{};    ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x. Where
+                            ///< nothing is gathered also of vec2 `texel`, the number that was asked for
+    int channels = 1;       ///< how many of `value` it reads
+    std::string compare{};  ///< of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Empty:
+                            ///< by direction. With one's own no receiver is beyond the far plane
+    std::string origin{};   ///< vec2: the map's first texel in the texture; empty: (0, 0)
     std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
     std::string parameters{};      ///< in place of the kind's: what stands for the map in declarations,
     std::string arguments{};       ///< in calls,
@@ -19912,46 +19862,11 @@ template <known_encoding Encoding>
 
 namespace umbrage::glsl::hooks {
 
-inline constexpr snippet forward_cleared_depth{
-    .name = "cleared_depth", .summary = "cleared_depth, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_cleared_depth: depth of the far plane
-UMBRAGE_HIGHP float umbrage_cleared_depth() {
-    return 1.0;
-}
-)GLSL"};
-
 inline constexpr snippet reversed_cleared_depth{
     .name = "cleared_depth", .summary = "cleared_depth, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
     return 0.0;
-}
-)GLSL"};
-
-inline constexpr snippet border_depth{.name = "border_depth",
-                                      .summary = "border_depth, a depth",
-                                      .needs = list<&cleared_depth>,
-                                      .role = hook::border_depth,
-                                      .source = R"GLSL(
-// umbrage_border_depth: what texels outside the map count as, the far plane
-UMBRAGE_HIGHP float umbrage_border_depth() {
-    return umbrage_cleared_depth();
-}
-)GLSL"};
-
-inline constexpr snippet scaled_border_depth{
-    .name = "border_depth", .summary = "border_depth, scaled", .role = hook::chosen, .source = R"GLSL(
-// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
-UMBRAGE_HIGHP float umbrage_border_depth() {
-    return 65536.0;
-}
-)GLSL"};
-
-inline constexpr snippet bordered_covers{
-    .name = "map_covers", .summary = "map_covers, bordered", .role = hook::chosen, .source = R"GLSL(
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
-    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 )GLSL"};
 
@@ -19963,14 +19878,6 @@ bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
 }
 )GLSL"};
 
-inline constexpr snippet forward_beyond_far_plane{
-    .name = "beyond_far_plane", .summary = "beyond_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
-bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return receiver > 1.0;
-}
-)GLSL"};
-
 inline constexpr snippet reversed_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
@@ -19979,19 +19886,21 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet scaled_beyond_far_plane{
-    .name = "beyond_far_plane", .summary = "beyond_far_plane, scaled", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+inline constexpr snippet no_beyond_far_plane{
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, without", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return false;
 }
 )GLSL"};
 
-inline constexpr snippet forward_within_far_plane{
-    .name = "within_far_plane", .summary = "within_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+inline constexpr snippet any_within_far_plane{
+    .name = "within_far_plane", .summary = "within_far_plane, without", .role = hook::chosen, .source = R"GLSL(
+// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
-    return receiver <= 1.0;
+    // a sum of choices, not an or of comparisons, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return number > 0.5;
 }
 )GLSL"};
 
@@ -20003,14 +19912,6 @@ bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet forward_compare{
-    .name = "compare", .summary = "compare, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
-UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return receiver <= stored ? 1.0 : 0.0;
-}
-)GLSL"};
-
 inline constexpr snippet reversed_compare{
     .name = "compare", .summary = "compare, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
@@ -20019,16 +19920,16 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 }
 )GLSL"};
 
-inline constexpr snippet texel{.name = "texel", .summary = "texel", .role = hook::chosen, .source = R"GLSL(
-// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
-UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    return UMBRAGE_TEXEL;
+inline constexpr snippet own_compare{
+    .name = "compare", .summary = "compare, own", .role = hook::chosen, .source = R"GLSL(
+// umbrage_compare: visibility of one comparison, the map's own
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_COMPARE;
 }
 )GLSL"};
 
 inline constexpr snippet decode{.name = "decode", .summary = "decode", .role = hook::chosen, .source = R"GLSL(
-// umbrage_decode: depth of a texel's value
+// umbrage_decode: depth of a value that the sampler gave
 UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
     return UMBRAGE_DEPTH;
 }
@@ -20036,25 +19937,13 @@ UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
 
 inline constexpr snippet clamped_depth{.name = "fetch_depth",
                                        .summary = "fetch_depth, clamped",
-                                       .needs = list<&fetch_clamped, &decode>,
+                                       .needs = list<&fetch_clamped>,
                                        .role = hook::chosen,
                                        .source = R"GLSL(
 // umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-}
-)GLSL"};
-
-inline constexpr snippet bordered_depth{.name = "fetch_depth",
-                                        .summary = "fetch_depth, bordered",
-                                        .needs = list<&umbrage::glsl::texel, &decode, &border_depth>,
-                                        .role = hook::chosen,
-                                        .source = R"GLSL(
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
-UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
-    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_texel(map, size, inside));
-    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
 }
 )GLSL"};
 
@@ -20079,7 +19968,7 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet bordered_lit{.name = "lit",
                                       .summary = "lit, bordered",
-                                      .needs = list<&lit_texel, &compare, &border_depth>,
+                                      .needs = list<&lit_texel, &compare>,
                                       .role = hook::chosen,
                                       .source = R"GLSL(
 // umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
@@ -20087,7 +19976,7 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
                                 UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 )GLSL"};
@@ -20146,9 +20035,10 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 }  // namespace umbrage::glsl::hooks
 
 // ---- umbrage/shader/hooks.hpp
-// What a map can be, as functions: bind() puts these in place of the hooks' texts for a shader's one map. Words that a
-// map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture; UMBRAGE_DEPTH,
-// the depth of a `value`; UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
+// What a map can be, as functions: bind() puts these in place of a hook's own text, which is that of a plain map. Words
+// that a map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture;
+// UMBRAGE_DEPTH, the depth of a `value`; UMBRAGE_BORDER, the depth outside; UMBRAGE_COMPARE, one's own comparison;
+// UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
 //
 
 namespace umbrage::glsl::hooks {
@@ -20188,7 +20078,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 inline constexpr snippet gathered_bordered{.name = "lit_2x2",
                                            .summary = "lit_2x2, gathered and bordered",
-                                           .needs = list<&gather_compared, &inside_map, &compare, &border_depth>,
+                                           .needs = list<&gather_compared, &inside_map, &compare>,
                                            .role = hook::chosen,
                                            .source = R"GLSL(
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
@@ -20196,7 +20086,7 @@ inline constexpr snippet gathered_bordered{.name = "lit_2x2",
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? lit.x : outside;
     UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
     UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
@@ -20207,7 +20097,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 inline constexpr snippet gathered_bordered_region{.name = "lit_2x2",
                                                   .summary = "lit_2x2, gathered in a bordered region",
-                                                  .needs = list<&gather_compared, &inside_map, &compare, &border_depth>,
+                                                  .needs = list<&gather_compared, &inside_map, &compare>,
                                                   .role = hook::chosen,
                                                   .source = R"GLSL(
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
@@ -20221,7 +20111,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
     UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
     UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
     UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
     UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
@@ -20255,7 +20145,7 @@ inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
                                                .exactness = tier::c,
                                                .within = 1.0f / 128.0f,
-                                               .needs = list<&within_far_plane, &compare, &border_depth>,
+                                               .needs = list<&within_far_plane, &compare>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
@@ -20268,7 +20158,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 )GLSL"};
@@ -20279,7 +20169,7 @@ inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
                                               .summary = "lit_at, sampled and bordered",
                                               .exactness = tier::c,
                                               .within = 1.0f / 128.0f,
-                                              .needs = list<&compare, &border_depth>,
+                                              .needs = list<&compare>,
                                               .role = hook::chosen,
                                               .source = R"GLSL(
 // umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
@@ -20287,7 +20177,7 @@ inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
@@ -20297,14 +20187,14 @@ inline constexpr snippet sampled_bordered_depth{.name = "depth_at",
                                                 .summary = "depth_at, sampled and bordered",
                                                 .exactness = tier::c,
                                                 .operations = 4,
-                                                .needs = list<&decode, &border_depth>,
+                                                .needs = list<&decode>,
                                                 .role = hook::chosen,
                                                 .source = R"GLSL(
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
     UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
-    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
 }
 )GLSL"};
 
@@ -20338,13 +20228,11 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 
 /// Every one of them, for printers and packages.
 inline constexpr const auto& all =
-    list<&forward_cleared_depth, &reversed_cleared_depth, &border_depth, &scaled_border_depth, &bordered_covers,
-         &clamped_covers, &forward_beyond_far_plane, &reversed_beyond_far_plane, &scaled_beyond_far_plane,
-         &forward_within_far_plane, &reversed_within_far_plane, &forward_compare, &reversed_compare, &texel, &decode,
-         &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,
-         &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
-         &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
-         &sampled_depth, &sampled_bordered_depth>;
+    list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
+         &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
+         &lit_texel, &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels,
+         &gathered, &gathered_region, &gathered_bordered, &gathered_bordered_region, &clamped_lit_filtered,
+         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace umbrage::glsl::hooks
 
@@ -20361,32 +20249,36 @@ namespace umbrage::glsl::detail {
     const bool tile = has_region(b) || is_cube(b.texture);
     return b.outside.value_or(tile ? outside_map::clamped : outside_map::bordered) == outside_map::bordered;
 }
+/// Whether the map's depths are on a scale of their own.
+[[nodiscard]] inline bool is_scaled(const binding& b) {
+    for (const snippet& need : b.needs)
+        if (need.scaled) return true;
+    return false;
+}
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
+
+/// Whether receivers can be beyond the map's far plane; a comparison of one's own says itself what it does with them.
+[[nodiscard]] inline bool has_far_plane(const binding& b) { return b.compare.empty() && !is_scaled(b); }
 
 /// The function that a map has in place of a hook's own text; other snippets as they are.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
     const bool forward = b.direction == depth_direction::forward;
-    bool scaled = false;
-    for (const snippet& need : b.needs) scaled = scaled || need.scaled;
     switch (s.role) {
         case hook::none:
-        case hook::chosen: return s;
-        case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
-        case hook::border_depth: return scaled ? hooks::scaled_border_depth : s;
-        case hook::map_covers: return is_bordered(b) ? hooks::bordered_covers : hooks::clamped_covers;
+        case hook::chosen:
+        case hook::texel: return s;
+        case hook::cleared_depth: return forward ? s : hooks::reversed_cleared_depth;
+        case hook::map_covers: return is_bordered(b) ? s : hooks::clamped_covers;
         case hook::beyond_far_plane:
-            return scaled    ? hooks::scaled_beyond_far_plane
-                   : forward ? hooks::forward_beyond_far_plane
-                             : hooks::reversed_beyond_far_plane;
+            return !has_far_plane(b) ? hooks::no_beyond_far_plane : forward ? s : hooks::reversed_beyond_far_plane;
         case hook::within_far_plane:
-            return scaled ? s : forward ? hooks::forward_within_far_plane : hooks::reversed_within_far_plane;
-        case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
-        case hook::texel:
-        case hook::fetch_depth:
-            if (s.role == hook::texel) return hooks::texel;
-            return is_bordered(b) ? hooks::bordered_depth : hooks::clamped_depth;
+            return !has_far_plane(b) ? hooks::any_within_far_plane : forward ? s : hooks::reversed_within_far_plane;
+        case hook::compare:
+            if (!b.compare.empty()) return hooks::own_compare;
+            return forward ? s : hooks::reversed_compare;
+        case hook::fetch_depth: return is_bordered(b) ? s : hooks::clamped_depth;
         case hook::lit:
             if (!compares(b.texture)) return s;
             return is_bordered(b) ? hooks::bordered_lit : hooks::clamped_lit;
@@ -20421,7 +20313,7 @@ template <class = umbrage::detail::on_use>
 /// Whether a snippet's functions are a map's own.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool is_of_map(const snippet& s) {
-    return calls(s, hook::cleared_depth, hook::chosen);
+    return calls(s, hook::map_covers, hook::chosen);
 }
 
 /// Whether a snippet reads its map.
@@ -20676,123 +20568,6 @@ namespace detail {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// Checks a part of an identifier: letters, digits, single underscores between them.
-[[nodiscard]] constexpr bool is_part_of_identifier(std::string_view name) {
-    char before = '_';
-    for (const char c : name) {
-        if (!is_word(c) || (c == '_' && before == '_')) return false;
-        before = c;
-    }
-    return name.empty() || before != '_';
-}
-
-/// Checks that a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bool is_expression(std::string_view text) {
-    std::string closing;
-    bool blank = true;
-    for (const char c : text) {
-        if (c < ' ' || c > '~' || std::string_view(";#\\\"'`").find(c) != std::string_view::npos) return false;
-        blank = blank && c == ' ';
-        if (c == '(' || c == '[' || c == '{') closing += c == '(' ? ')' : c == '[' ? ']' : '}';
-        if (c != ')' && c != ']' && c != '}') continue;
-        if (closing.empty() || closing.back() != c) return false;
-        closing.pop_back();
-    }
-    return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
-}
-
-/// Every hook that the snippet calls is one that the map can have.
-template <class = umbrage::detail::on_use>
-void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
-    const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
-    umbrage::detail::require(!reads || !compares(map.texture), "glsl::bind", "what",
-                             "a snippet that reads no depths, as a comparison sampler gives none", what.name);
-    umbrage::detail::require(asked.role != hook::gather_lit || gathers(map.texture), "glsl::bind", "map.gather",
-                             "false where texels of cubes or whole numbers are gathered", map.gather);
-    umbrage::detail::require(asked.role != hook::gather_lit || map.channels <= 2, "glsl::bind", "map.channels",
-                             "1 or 2 where texels are gathered", map.channels);
-    for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
-}
-
-/// @throws std::invalid_argument   for what does not compile, whatever the language
-template <class = umbrage::detail::on_use>
-void check(const snippet& what, std::string_view name, const binding& map) {
-    umbrage::detail::require(is_part_of_identifier(name), "glsl::bind", "name",
-                             "letters, digits and single underscores between them", name);
-    const bool one_channel =
-        compares(map.texture) || map.texture == texture::depth || map.texture == texture::depth_array;
-    umbrage::detail::require(1 <= map.channels && map.channels <= 4, "glsl::bind", "map.channels", "1 to 4",
-                             map.channels);
-    umbrage::detail::require(!one_channel || map.channels == 1, "glsl::bind", "map.channels", "1 for a depth texture",
-                             map.channels);
-    umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "map.depth",
-                             "empty for a comparison sampler", map.depth);
-    const auto expression = [](const std::string& own, const char* argument,
-                               const char* condition = "one expression on one line") {
-        umbrage::detail::require(own.empty() || is_expression(own), "glsl::bind", argument, condition, own);
-    };
-    expression(map.depth, "map.depth");
-    expression(map.origin, "map.origin");
-    expression(map.texture_size, "map.texture_size");
-    expression(map.texel, "map.texel");
-    expression(map.parameters, "map.parameters", "parameters on one line");
-    expression(map.arguments, "map.arguments", "expressions on one line");
-    for (const snippet& need : map.needs)
-        umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
-    check_hooks(what, what, map);
-}
-
-}  // namespace detail
-
-/// A snippet and the map that it is for; a snippet alone is for the shader's one map.
-struct bound {
-    snippet what;
-    std::string suffix{};
-    binding map{};
-    bool by_macros = true;                               ///< in GLSL the hooks are macros of the shader's
-    std::shared_ptr<const shader_interface> declared{};  ///< of a shadow: what the text declares for it,
-    std::shared_ptr<const void> texts{};                 ///< and what keeps its snippets alive
-
-    template <class = umbrage::detail::on_use>
-    bound(const snippet& s) : what(s) {}
-    template <class = umbrage::detail::on_use>
-    bound(const snippet& s, std::string_view name, binding b)
-        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)), by_macros(false) {}
-};
-
-/// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
-/// @param name   letters, digits, single underscores between them
-/// @throws std::invalid_argument   another name; a map that cannot have what is asked of it
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
-    detail::check(what, name, map);
-    return {what, name, std::move(map)};
-}
-
-}  // namespace umbrage::glsl
-
-// ---- umbrage/shader/fill.hpp
-// A snippet's text, in any language, with the words that a map fills in.
-//
-
-namespace umbrage::glsl::detail {
-
-/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
-/// 0 to 1.
-struct texture_words {
-    std::string_view parameters, arguments;
-    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
-    std::string_view sampled{};                      ///< vec4 at `uv`
-    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
-    std::string_view gather_red{}, gather_green{};   ///< vec4
-    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
-    std::string_view size{};                         ///< of the texture: vec2
-    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
-    std::span<const snippet* const> needs{};         ///< what these words call
-};
-
 /// The text with each word replaced by replacement(word, in_comment).
 template <class Replacement>
 [[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
@@ -20829,6 +20604,127 @@ template <class = umbrage::detail::on_use>
         if (one == word) return true;
     return false;
 }
+
+/// Checks a part of an identifier: letters, digits, single underscores between them.
+[[nodiscard]] constexpr bool is_part_of_identifier(std::string_view name) {
+    char before = '_';
+    for (const char c : name) {
+        if (!is_word(c) || (c == '_' && before == '_')) return false;
+        before = c;
+    }
+    return name.empty() || before != '_';
+}
+
+/// Checks that a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_expression(std::string_view text) {
+    std::string closing;
+    bool blank = true;
+    for (const char c : text) {
+        if (c < ' ' || c > '~' || std::string_view(";#\\\"'`").find(c) != std::string_view::npos) return false;
+        blank = blank && c == ' ';
+        if (c == '(' || c == '[' || c == '{') closing += c == '(' ? ')' : c == '[' ? ']' : '}';
+        if (c != ')' && c != ']' && c != '}') continue;
+        if (closing.empty() || closing.back() != c) return false;
+        closing.pop_back();
+    }
+    return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
+}
+
+/// Every hook that the snippet calls is one that the map can have.
+template <class = umbrage::detail::on_use>
+void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
+    const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
+    umbrage::detail::require(!reads || !compares(map.texture), "glsl::bind", "what",
+                             "a snippet that reads no depths, as a comparison sampler gives none", what.name);
+    umbrage::detail::require(asked.role != hook::gather_lit || gathers(map.texture), "glsl::bind", "map.gather",
+                             "false where texels of cubes or whole numbers are gathered", map.gather);
+    umbrage::detail::require(asked.role != hook::gather_lit || map.channels <= 2, "glsl::bind", "map.channels",
+                             "1 or 2 where texels are gathered", map.channels);
+    umbrage::detail::require(&asked != &hooks::decode || !contains(words_of(map.depth), "texel"), "glsl::bind",
+                             "map.depth", "of value alone where texels are gathered", map.depth);
+    for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
+}
+
+/// @throws std::invalid_argument   for what does not compile, whatever the language
+template <class = umbrage::detail::on_use>
+void check(const snippet& what, std::string_view name, const binding& map) {
+    umbrage::detail::require(is_part_of_identifier(name), "glsl::bind", "name",
+                             "letters, digits and single underscores between them", name);
+    const bool one_channel =
+        compares(map.texture) || map.texture == texture::depth || map.texture == texture::depth_array;
+    umbrage::detail::require(1 <= map.channels && map.channels <= 4, "glsl::bind", "map.channels", "1 to 4",
+                             map.channels);
+    umbrage::detail::require(!one_channel || map.channels == 1, "glsl::bind", "map.channels", "1 for a depth texture",
+                             map.channels);
+    umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "map.depth",
+                             "empty for a comparison sampler", map.depth);
+    const auto expression = [](const std::string& own, const char* argument,
+                               const char* condition = "one expression on one line") {
+        umbrage::detail::require(own.empty() || is_expression(own), "glsl::bind", argument, condition, own);
+    };
+    umbrage::detail::require(!compares(map.texture) || map.compare.empty(), "glsl::bind", "map.compare",
+                             "empty for a comparison sampler", map.compare);
+    expression(map.depth, "map.depth");
+    expression(map.compare, "map.compare");
+    expression(map.origin, "map.origin");
+    expression(map.texture_size, "map.texture_size");
+    expression(map.texel, "map.texel");
+    expression(map.parameters, "map.parameters", "parameters on one line");
+    expression(map.arguments, "map.arguments", "expressions on one line");
+    for (const snippet& need : map.needs)
+        umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
+    check_hooks(what, what, map);
+}
+
+}  // namespace detail
+
+/// A snippet and the map that it is for; a snippet alone is bind(snippet, "", {}), for a 2D texture of depths.
+struct bound {
+    snippet what;
+    std::string suffix{};
+    binding map{};
+    std::shared_ptr<const shader_interface> declared{};  ///< of a shadow: what the text declares for it,
+    std::shared_ptr<const void> texts{};                 ///< and what keeps its snippets alive
+
+    template <class = umbrage::detail::on_use>
+    bound(const snippet& s) : what(s) {}
+    template <class = umbrage::detail::on_use>
+    bound(const snippet& s, std::string_view name, binding b)
+        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)) {}
+};
+
+/// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
+/// @param name   letters, digits, single underscores between them
+/// @throws std::invalid_argument   another name; a map that cannot have what is asked of it
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
+    detail::check(what, name, map);
+    return {what, name, std::move(map)};
+}
+
+}  // namespace umbrage::glsl
+
+// ---- umbrage/shader/fill.hpp
+// A snippet's text, in any language, with the words that a map fills in.
+//
+
+namespace umbrage::glsl::detail {
+
+/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
+/// 0 to 1.
+struct texture_words {
+    std::string_view parameters, arguments;
+    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view sampled{};                      ///< vec4 at `uv`
+    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};   ///< vec4
+    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
+    std::string_view size{};                         ///< of the texture: vec2
+    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    std::span<const snippet* const> needs{};         ///< what these words call
+};
 
 /// What a text calls its map: `map`, or `table`.
 template <class = umbrage::detail::on_use>
@@ -20901,6 +20797,8 @@ template <class = umbrage::detail::on_use>
         return own.empty() ? std::string(ordinary) : own;
     };
     const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
+    // Farther than all where depths have a scale of their own.
+    const std::string border = is_scaled(map) ? "65536.0" : map.direction == depth_direction::forward ? "1.0" : "0.0";
     const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
     const auto replace = [&](std::string_view what, std::string_view with) {
         for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
@@ -20960,6 +20858,8 @@ template <class = umbrage::detail::on_use>
         if (word.starts_with("umbrage_")) return suffixed(word);
         if (word == own_map && !comment) return list(arguments);
         if (word == "UMBRAGE_PARAMETERS") return list(not_declared_in(text, parameters));
+        if (word == "UMBRAGE_BORDER") return border;
+        if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
         if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
@@ -20989,7 +20889,6 @@ struct language {
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     std::string_view may_reorder{};              ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
-    bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
     std::string_view function = "glsl::text";    ///< that a user calls
     std::string (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
     std::optional<version> dialect{};  ///< GLSL's, where it is known
@@ -21000,18 +20899,12 @@ template <class = umbrage::detail::on_use>
 class composition {
 public:
     composition(const language& l, const std::vector<bound>& items) : language_(l), items_(items) {
-        binding one;  // the shader's one map compares on a scale of its own if anything here makes such depths
         for (const bound& item : items_)
-            if (item.by_macros && item.what.scaled) one.needs.push_back(item.what);
-        for (bound& item : items_) {
-            if (item.by_macros) item.map = one;
-            for (const bound& other : items)
-                if (!item.by_macros && item.suffix == other.suffix &&
-                    (other.by_macros ? is_of_map(other.what) : !(item.map == other.map)))
+            for (const bound& other : items_)
+                if (item.suffix == other.suffix && !(item.map == other.map) && has_map(item) && has_map(other))
                     umbrage::detail::refuse(language_.function, "name", "another for each map",
                                             std::string_view(item.suffix).substr(item.suffix.empty() ? 0 : 1),
                                             "It is the name of two maps.");
-        }
     }
 
     [[nodiscard]] std::string text() && {
@@ -21019,9 +20912,7 @@ public:
             const bool of_map = is_of_map(s);
             const std::string body = language_.translate(s);
             if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-            text_ += of_map && !keeps_macros(item)
-                         ? laid_out(for_map(body, s, item, language_.texture(item.map.texture)))
-                         : body;
+            text_ += of_map ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
             if (language_.preprocessor) text_ += "#endif\n";
         });
         for (const bound& item : items_)
@@ -21061,11 +20952,6 @@ private:
     void for_each(const Part& use) {
         for (const bool of_map : {false, true})
             for (const bound& item : items_) {
-                // No far plane for the shader's one map: a function, as a macro in two places confuses preprocessors of
-                // engines; and always, so that a file with such depths changes those that are pasted behind it.
-                if (of_map && keeps_macros(item) &&
-                    &chosen(beyond_far_plane, item.map) == &hooks::scaled_beyond_far_plane)
-                    add(hooks::scaled_beyond_far_plane, item, of_map, use);
                 for (const snippet& need : item.map.needs) add(need, item, of_map, use);
                 for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
                 add(item.what, item, of_map, use);
@@ -21074,7 +20960,7 @@ private:
 
     template <class Part>
     void add(const snippet& asked, const bound& item, bool of_map, const Part& use) {
-        const snippet& s = keeps_macros(item) ? asked : chosen(asked, item.map);
+        const snippet& s = chosen(asked, item.map);
         for (const snippet* need : s.needs) add(*need, item, of_map, use);
         if (is_of_map(s) != of_map) return;
         const std::string suffix = of_map ? item.suffix : std::string(), function = std::string(s.name) + suffix;
@@ -21111,10 +20997,15 @@ private:
         done_.push_back({i.name, {}, {}});
     }
 
-    [[nodiscard]] bool keeps_macros(const bound& item) const { return language_.macros && item.by_macros; }
+    /// Whether functions of the map's own stem from the item.
+    [[nodiscard]] static bool has_map(const bound& item) {
+        for (const snippet& need : item.map.needs)
+            if (is_of_map(need)) return true;
+        return is_of_map(item.what);
+    }
 
     const language& language_;
-    std::vector<bound> items_;
+    const std::vector<bound>& items_;
     std::string text_;
     std::vector<part> done_;
 };
@@ -21266,8 +21157,7 @@ template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
-                                        .may_reorder = "GLSL below 400 and 320 es",
-                                        .macros = true};
+                                        .may_reorder = "GLSL below 400 and 320 es"};
 
 [[nodiscard]] constexpr bool is_es(version v) {
     return v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
@@ -21326,7 +21216,6 @@ template <class = umbrage::detail::on_use>
 /// True when the snippet bound to its map compiles in dialect `v`.
 [[nodiscard]] inline bool supports(const bound& item, version v) {
     if (!supports(item.what, v)) return false;
-    if (item.by_macros) return true;
     for (const snippet& need : item.map.needs)
         if (!supports(need, v)) return false;
     const bool gathers = v == version::v310_es || v == version::v320_es || v >= version::v430;
@@ -21741,10 +21630,10 @@ private:
     }
     /// A word that a map fills in.
     [[nodiscard]] static bool is_of_a_map(std::string_view word) {
-        static constexpr std::string_view all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
-                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
-                                                "UMBRAGE_ORIGIN",     "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",
-                                                "UMBRAGE_UV"};
+        static constexpr std::string_view all[]{"UMBRAGE_BORDER",       "UMBRAGE_COMPARE",      "UMBRAGE_DEPTH",
+                                                "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",   "UMBRAGE_GATHER_RED",
+                                                "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED", "UMBRAGE_ORIGIN",
+                                                "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",        "UMBRAGE_UV"};
         for (std::string_view w : all)
             if (word == w) return true;
         return false;
@@ -22901,7 +22790,7 @@ inline constexpr word_of_map words_of_maps[]{
     {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
     {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
     {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_UV", "vec2"},
-    {"UMBRAGE_SAMPLED", "vec4"}};
+    {"UMBRAGE_SAMPLED", "vec4"},    {"UMBRAGE_BORDER", "float"},      {"UMBRAGE_COMPARE", "float"}};
 
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 

@@ -58,7 +58,8 @@ const version = '300 es';
 const kinds = ['texture_2d', 'atlas', 'array', 'cube', 'cube_faces', 'integer', 'depth', 'depth_array', 'shadow', 'shadow_array'];
 const texts = {
     'every snippet': glsl.text(Object.values(snippets).filter(s => supports(s, version) && !s.scaled), version),
-    'depths on a scale of their own': glsl.text([hard, level_rg11], version),
+    'depths on a scale of their own': glsl.text(
+        [bind(hard, 'a', { depth: 'umbrage_level_rg11(value.xy)', channels: 2, needs: [level_rg11] })], version),
     'every kind of map': glsl.text(kinds.map(texture => bind(pcf_2x2, texture, { texture })), version),
     'every encoding': glsl.text(Object.entries(encodings).map(([name, map]) => bind(hard, `in_${name}`, map)), version),
 };

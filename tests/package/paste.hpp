@@ -52,26 +52,36 @@ inline std::string comment(std::string text) {
 }
 
 struct option {
-    std::string_view macro, meaning;
+    std::string_view field, meaning;
+    glsl::hook first, last;  ///< the hooks of whose text it changes something
 };
 inline constexpr option options[]{
-    {"UMBRAGE_MAP", "type of the map, in place of sampler2D"},
-    {"UMBRAGE_FETCH(map, size, texel)", "depth of a texel, in place of .x: for packed depths"},
-    {"UMBRAGE_CLAMPED", "outside the map the nearest texel inside counts; without it the far plane, lit"},
-    {"UMBRAGE_REVERSED", "depth is 1.0 at the near plane and 0.0 at the far plane"},
-    {"UMBRAGE_COMPARE(receiver, stored)", "1.0 for a lit receiver, else 0.0"},
-    {"UMBRAGE_BEYOND_FAR(receiver)", "whether a receiver is behind the far plane"}};
+    {"texture", "array, atlas, cube, shadow, ...; parameters, arguments and texel take any other", glsl::hook::texel,
+     glsl::hook::depth_at},
+    {"depth", "depth of a texel's value, in place of .x: for packed depths", glsl::hook::fetch_depth,
+     glsl::hook::depth_at},
+    {"outside", "clamped: outside the map the nearest texel inside counts; without it all is lit there",
+     glsl::hook::fetch_depth, glsl::hook::depth_at},
+    {"outside", "clamped: outside the map the nearest texel inside counts; without it all is lit there",
+     glsl::hook::map_covers, glsl::hook::map_covers},
+    {"compare", "one comparison, in place of receiver <= stored", glsl::hook::compare, glsl::hook::compare},
+    {"direction", "reversed: depth is 1.0 at the near plane and 0.0 at the far plane", glsl::hook::cleared_depth,
+     glsl::hook::compare}};
 
-/// What a text lets its user define in front.
-inline std::string options_of(const std::string& text) {
+/// What bind() can change in the texts of items.
+inline std::string options_of(const std::vector<glsl::bound>& items) {
     std::string out;
-    for (const option& o : options) {
-        const std::string macro(o.macro.substr(0, o.macro.find('(')));
-        if (text.find("#ifndef " + macro + '\n') == text.npos && text.find("#ifdef " + macro + '\n') == text.npos)
-            continue;
-        out += "//   " + std::string(o.macro) + std::string(34 - o.macro.size(), ' ') + std::string(o.meaning) + '\n';
-    }
-    return out.empty() ? out : "// Options, to define in front:\n" + out;
+    for (const option& o : options)
+        for (const glsl::bound& item : items) {
+            const bool has_it =
+                (o.field != "depth" && o.field != "compare") || !glsl::detail::compares(item.map.texture);
+            const std::string line = "//   " + std::string(o.field) + std::string(11 - o.field.size(), ' ');
+            if (has_it && glsl::detail::calls(item.what, o.first, o.last) && out.find(line) == out.npos)
+                out += line + std::string(o.meaning) + '\n';
+        }
+    return out.empty()
+               ? out
+               : "// For other maps, bind() of the library or of its npm package prints this text, with\n" + out;
 }
 
 inline const std::string target = " not sRGB, no blending, one sample. Clear to ";
@@ -115,6 +125,21 @@ inline std::string targets_of(const snippet& s) {
     return out;
 }
 
+/// Filters with a file for comparison samplers, which engines have.
+inline constexpr std::array compared_by_samplers{&glsl::hard,
+                                                 &glsl::pcf_2x2,
+                                                 &glsl::box,
+                                                 &glsl::tent<2>,
+                                                 &glsl::tent<3>,
+                                                 &glsl::castano<5>,
+                                                 &glsl::castano<7>,
+                                                 &glsl::disc<16>,
+                                                 &glsl::pcf_2x2_hardware,
+                                                 &glsl::window_hardware<3>,
+                                                 &glsl::window_hardware<5>,
+                                                 &glsl::window_hardware<7>,
+                                                 &glsl::disc_hardware<16>};
+
 /// What the map is that a snippet reads.
 inline std::string map_of(const shader_language& l, const glsl::bound& item) {
     if (!glsl::detail::reads_map(item.what)) return "";
@@ -132,18 +157,12 @@ inline std::string map_of(const shader_language& l, const glsl::bound& item) {
     }
     if (!glsl::detail::calls(item.what, glsl::hook::fetch_depth, glsl::hook::depth_at))
         return comment(map + "texels of the kind that the function's comment names, read unfiltered.");
-    return comment(map + "a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.") +
+    const bool has_file = std::ranges::count(compared_by_samplers, item.what.name, &snippet::name) > 0;
+    const std::string file = " For a comparison sampler: " + std::string(item.what.name) + "_shadow.";
+    return comment(map + "a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered." +
+                   (has_file ? file : "")) +
            comment("Render target of the map: depth attachment, or R32F," + target +
                    "1.0, with reversed depth to 0.0.");
-}
-
-/// What texels outside the map count as; where there are macros, the options say it.
-inline std::string outside_of(const shader_language& l, const glsl::bound& item) {
-    using glsl::hook;
-    const bool asks = glsl::detail::calls(item.what, hook::fetch_depth, hook::depth_at) ||
-                      glsl::detail::calls(item.what, hook::map_covers, hook::map_covers);
-    if (!asks || (l.words->macros && item.by_macros)) return "";
-    return comment("Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.");
 }
 
 /// What stands above a text, in place of its first line.
@@ -155,13 +174,13 @@ inline std::string with_head(const shader_language& l, const std::string& copyri
     head += note;
     head += "// SPDX-License-Identifier: MIT\n";
     head += "// " + copyright + ". License text: LICENSE in the umbrage repository.\n";
-    for (const glsl::bound& item : items) head += map_of(l, item) + outside_of(l, item) + targets_of(item.what);
+    for (const glsl::bound& item : items) head += map_of(l, item) + targets_of(item.what);
     std::string rest = text.substr(text.find('\n') + 1);
     if (rest.starts_with(note)) rest.erase(0, note.size());
-    return head + options_of(text) + rest;
+    return head + options_of(items) + rest;
 }
 
-/// A snippet, as the shader's one map has it, behind all it needs.
+/// A snippet, as a plain map has it, behind all it needs.
 inline void collect(const snippet& asked, std::vector<const snippet*>& all) {
     const snippet& s = glsl::detail::chosen(asked, {});
     for (const snippet* need : s.needs) collect(*need, all);
@@ -195,13 +214,11 @@ struct pasted {
     std::vector<glsl::bound> items;
 };
 
-/// Filters for comparison samplers, which engines have. A search for blockers reads depths of the same texture.
+/// Files for comparison samplers. A search for blockers reads depths of the same texture.
 inline std::vector<pasted> for_comparison_samplers() {
     std::vector<pasted> all;
     const glsl::binding shadow{.texture = glsl::texture::shadow};
-    for (const snippet* s : {&glsl::hard, &glsl::pcf_2x2, &glsl::box, &glsl::tent<2>, &glsl::tent<3>, &glsl::castano<5>,
-                             &glsl::castano<7>, &glsl::disc<16>, &glsl::pcf_2x2_hardware, &glsl::window_hardware<3>,
-                             &glsl::window_hardware<5>, &glsl::window_hardware<7>, &glsl::disc_hardware<16>})
+    for (const snippet* s : compared_by_samplers)
         all.push_back({std::string(s->name) + "_shadow", s->summary, {bind(*s, "shadow", shadow)}});
     all.push_back({"pcss_hardware16_shadow",
                    "percentage-closer soft shadows (PCSS) at 16 points, one texture bound to two samplers",

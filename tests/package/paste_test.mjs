@@ -18,7 +18,7 @@ let failed = 0, compiled = 0;
 const check = (good, file, what) => { if (!good && ++failed < 20) console.log(`FAILED: ${file}: ${what}`); };
 const files = readdirSync(shaders).sort().flatMap(language => readdirSync(join(shaders, language)).map(file => {
     const text = readFileSync(join(shaders, language, file), 'utf8'), name = file.slice(0, file.indexOf('.'));
-    const lines = text.slice(0, text.indexOf('\n\n')), head = lines.replace(/\n\/\/   (?!UMBRAGE_)/g, ' ');
+    const lines = text.slice(0, text.indexOf('\n\n')), head = lines.replace(/\n\/\/   /g, ' ');
     return { language, file: `${language}/${file}`, name, text, lines, head };
 }));
 const of = (language, name) => files.find(f => f.language === language && f.name === name);
@@ -36,8 +36,12 @@ for (const { language, file, name, text, lines, head } of files) {
     const { operations, within } = snippets[name] ?? {};
     const bound = within ? `1/${1 / within} of C++` : `${operations} x 2^-23 x S of`;
     if (tier) check(head.includes(`\n// ${name}, tier ${tier}: within ${bound}`) === (tier !== 'A'), file, 'its bound');
-    for (const [, macro] of text.matchAll(/^#ifn?def (UMBRAGE_(?!HAS_|HIGHP|PRECISE)\w+)$/gm))
-        check(head.includes(`\n//   ${macro}`), file, `option ${macro}`);
+    check(!/^#(ifn?def|define) (?!GL_ES$|UMBRAGE_(HAS_|HIGHP|PRECISE))/m.test(text), file, 'a macro to define');
+    const options = { texture: /umbrage_(lit_)?texel(_shadow|_depths)?\(/, depth: /umbrage_fetch_depth(_depths)?\(/,
+        compare: /umbrage_compare(_depths)?\(/, direction: /umbrage_(cleared_depth|beyond_far_plane)(_shadow|_depths)?\(/,
+        outside: /umbrage_(map_covers|fetch_depth)(_depths)?\(/ };
+    for (const [option, changes] of Object.entries(options))
+        if (changes.test(text)) check(new RegExp(`^//   ${option} `, 'm').test(lines), file, `option ${option}`);
     const reads = ['fetch_depth', 'lit_texel'].some(hook => new RegExp(`umbrage_${hook}\\w*\\(`).test(text));
     if (reads && snippets[name]?.role === 'none') check(/^\/\/ Map: `.*map/m.test(head) && head.includes('one sample. Clear to'), file, 'its map');
     check(!file.includes('_shadow') || head.includes('receiver <= '), file, 'its comparison');

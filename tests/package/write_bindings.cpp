@@ -51,6 +51,8 @@ std::vector<binding> maps(std::string_view language) {
                         map.texture_size = region > 1 ? vec2 + "(64.0, 64.0)" : "";
                         all.push_back(map);
                     }
+    all.push_back({.compare = (language == "wgsl" ? "f32" : "float") + std::string("(receiver < stored)")});
+    all.push_back({.depth = "value.x + texel.x"});
     return all;
 }
 

@@ -27,6 +27,7 @@ std::string json(const glsl::binding& map) {
     add("gather", map.gather ? "true" : "false");
     add("depth", literal(map.depth));
     add("channels", std::to_string(map.channels));
+    add("compare", literal(map.compare));
     add("origin", literal(map.origin));
     add("texture_size", literal(map.texture_size));
     add("parameters", literal(map.parameters));
@@ -42,7 +43,7 @@ std::string json(const std::vector<bound>& items) {
     std::string out;
     for (const bound& item : items) {
         out += (out.empty() ? "" : ",") + std::string("{\"what\":") + literal(item.what.name);
-        if (!item.by_macros)
+        if (!item.suffix.empty() || !(item.map == glsl::binding{}))
             out +=
                 ",\"name\":" + literal(item.suffix.empty() ? "" : item.suffix.substr(1)) + ",\"map\":" + json(item.map);
         out += '}';
@@ -63,6 +64,9 @@ std::vector<glsl::binding> maps() {
     umbrage::for_each_encoding([&](const auto& encoding) { all.push_back(glsl::stored_as(encoding)); });
     all.push_back(glsl::stored_as(umbrage::rg<11>{}, {.outside = umbrage::outside_map::clamped, .gather = true}));
     all.push_back({.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}});
+    all.push_back({.compare = "exp(stored - receiver)"});
+    all.push_back({.texture = glsl::texture::shadow, .compare = "exp(stored - receiver)"});
+    for (const bool gather : {false, true}) all.push_back({.gather = gather, .depth = "value.x + texel.x"});
     all.push_back({.gather = true, .origin = "tile", .texture_size = "atlas_size"});
     all.push_back({.parameters = "int layer", .arguments = "layer", .texel = "fetch(maps, at, layer)"});
     all.push_back(
@@ -85,7 +89,7 @@ void add(std::ostream& out, const shader_language& l, const std::vector<bound>& 
     std::string text = "null", exactness = "null";
     try {
         for (const bound& item : items)
-            if (!item.by_macros) (void)bind(item.what, item.suffix.substr(item.suffix.empty() ? 0 : 1), item.map);
+            (void)bind(item.what, item.suffix.substr(item.suffix.empty() ? 0 : 1), item.map);
         text = literal(l.text(items));
         exactness = literal(std::string_view("abc").substr(static_cast<std::size_t>(glsl::exactness(items)), 1));
     } catch (const std::invalid_argument&) {}
@@ -133,7 +137,7 @@ void write(std::ostream& out) {
         add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "A", {})});
         add(out, l, {bind(glsl::hard, "", {}), glsl::box});
         add(out, l, {glsl::box, bind(glsl::hard, "", {})});
-        add(out, l, {bind(glsl::hard, "rg11", glsl::stored_as(umbrage::rg<11>{}))});
+        add(out, l, {bind(glsl::pcf_2x2, "rg11", glsl::stored_as(umbrage::rg<11>{}, {.gather = true}))});
     }
     for (const glsl::version v : glsl::versions)
         for (const snippet* s : glsl::registry()) {

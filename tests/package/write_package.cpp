@@ -48,7 +48,6 @@ std::string_view role(glsl::hook h) {
     switch (h) {
         case glsl::hook::none: return "none";
         case glsl::hook::cleared_depth: return "cleared_depth";
-        case glsl::hook::border_depth: return "border_depth";
         case glsl::hook::map_covers: return "map_covers";
         case glsl::hook::beyond_far_plane: return "beyond_far_plane";
         case glsl::hook::within_far_plane: return "within_far_plane";
@@ -108,17 +107,12 @@ std::string languages_of_module() {
         out += "        prelude: " + literal(l.words->prelude) + ",\n";
         out += "        may_reorder: " + literal(l.words->may_reorder) + ",\n";
         out += std::string("        preprocessor: ") + (l.words->preprocessor ? "true" : "false") + ",\n";
-        out += std::string("        macros: ") + (l.words->macros ? "true" : "false") + ",\n";
         out += "        textures: {\n";
         for (const named_texture& t : textures)
             out += "            " + std::string(t.name) + ": " + words(l.words->texture(t.kind)) + ",\n";
         out += "        },\n        texts: {\n";
-        for_each_snippet([&](const snippet& s) {
-            const std::string text = s.source.str();
-            const bool asks_for_macros = text.find("\n#ifdef ") != text.npos || text.find("\n#ifndef ") != text.npos;
-            if (asks_for_macros && !l.words->macros) return;  // a hook that maps always choose
-            out += "            " + literal(id(s)) + ": `" + l.words->translate(s) + "`,\n";
-        });
+        for_each_snippet(
+            [&](const snippet& s) { out += "            " + literal(id(s)) + ": `" + l.words->translate(s) + "`,\n"; });
         out += "        },\n    },\n";
     }
     return out + "};\n";
@@ -197,7 +191,7 @@ std::string as_commonjs(std::string text) {
 std::string module_names() {
     std::string out;
     for (const shader_language& l : languages)
-        out += "export const " + std::string(l.name) + (l.words->macros ? ": VersionedLanguage;\n" : ": Language;\n");
+        out += "export const " + std::string(l.name) + (l.name == "glsl" ? ": VersionedLanguage;\n" : ": Language;\n");
     for (const snippet* s : glsl::registry())
         out += "/** " + std::string(s->summary) + " */\nexport const " + std::string(s->name) + ": Snippet;\n";
     return out;

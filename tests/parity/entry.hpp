@@ -122,9 +122,9 @@ struct entry {
     std::vector<bound_map> bound{};      ///< as what shaders have it; to the k-th its k-th channel is the first
     texels table{};                      ///< values k / 255
     std::vector<const snippet*> also{};  ///< further snippets that `call` uses
-    /// What a shader's one map is; of a depth it takes the first channels: "...(value.xy...)".
+    /// What a map without a name is; of a depth it takes the first channels: "...(value.xy...)".
     umbrage::glsl::binding map_kind{.outside = umbrage::outside_map::clamped};
-    std::string preamble{};  ///< macros, beyond those that say what map_kind does
+    std::string preamble{};  ///< ahead of the snippets
     target output = target::rgba32f;
     bool bits = false;      ///< a denormal must not act as zero
     std::size_t share = 1;  ///< takes one input of so many
@@ -140,15 +140,12 @@ struct entry {
         for (const snippet* s : also) all.push_back(*s);
         return all;
     }
-    /// The snippets for the shader's one map, or for each of those bound.
+    /// The snippets for the map without a name, or for each of those bound.
     [[nodiscard]] std::vector<umbrage::glsl::bound> items() const;
     /// The worst tier of what its shaders hold.
     [[nodiscard]] tier exactness() const { return umbrage::glsl::exactness(items()); }
     [[nodiscard]] bool runs_in(dialect d) const;
 };
-
-/// What a user defines in GLSL for the entry's kind of map.
-[[nodiscard]] std::string macros(const entry& e);
 
 /// Every entry there is.
 [[nodiscard]] const std::vector<entry>& entries();

@@ -46,6 +46,7 @@ umbrage::glsl::binding bound_map::binding(dialect::language in) const {
         b.texture_size = "(size + " + pair(margin, dialect::glsl) + ")";
     for (std::string* text : {&b.origin, &b.texture_size})
         if (const auto at = text->find("vec2"); at != text->npos) text->replace(at, 4, vec2_in[in]);
+    if (in == dialect::wgsl && b.compare.starts_with("float")) b.compare.replace(0, 5, "f32");
     return b;
 }
 
@@ -68,7 +69,8 @@ std::vector<umbrage::glsl::bound> entry::items() const {
     const std::vector<snippet> unbound = snippets();
     for (const bound_map& b : bound)
         for (const snippet& s : unbound) all.push_back(umbrage::glsl::bind(s, b.name, b.as));
-    if (bound.empty()) all.assign(unbound.begin(), unbound.end());
+    if (bound.empty())
+        for (const snippet& s : unbound) all.push_back(umbrage::glsl::bind(s, "", map_kind));
     return all;
 }
 
@@ -107,18 +109,6 @@ std::string from_texture(const entry& e, dialect::language in) {
 std::string map_size(const entry& e) {
     const std::string map = e.bound.empty() ? "map" : e.bound.front().name;
     return "vec2(textureSize(" + map + ", 0))" + from_texture(e, dialect::glsl);
-}
-
-std::string macros(const entry& e) {
-    std::string all = e.preamble;
-    if (e.map_kind.direction == umbrage::depth_direction::reversed) all += "#define UMBRAGE_REVERSED\n";
-    if (e.map_kind.outside == umbrage::outside_map::clamped) all += "#define UMBRAGE_CLAMPED\n";
-    if (std::string depth = e.map_kind.depth; !depth.empty()) {
-        const std::string value = "value.xy";
-        depth.replace(depth.find(value), value.size(), "vec2(umbrage_fetch_clamped(map, size, texel))");
-        all += "#define UMBRAGE_FETCH(map, size, texel) " + depth + '\n';
-    }
-    return all;
 }
 
 call_snippet::call_snippet(const entry& e, dialect::language in) : needs_{e.primitive} {
@@ -185,7 +175,7 @@ shader make_shader(const entry& e, dialect d, shader_stage of) {
             "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
 
     // A host shader of low precision: the snippets must ask for what they need.
-    const std::string preamble = (es ? "precision mediump float;\nprecision mediump int;\n" : "") + macros(e);
+    const std::string preamble = (es ? "precision mediump float;\nprecision mediump int;\n" : "") + e.preamble;
     std::string& f = s.fragment;
     const call_snippet call(e, dialect::glsl);
     f = source(v, call.items(), preamble) + '\n';

@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     std::size_t count = 0;
     for (const parity::entry& e : parity::entries()) {
         const parity::call_snippet call(e, parity::dialect::glsl);
-        const std::string text = parity::macros(e) + umbrage::glsl::text(call.items());
+        const std::string text = e.preamble + umbrage::glsl::text(call.items());
         file << "\nnamespace entry_" << count++ << " {\n"
              << as_cpp(text) << "\nvec4 call(const sample& s, const filled_texture* const* t) {\n";
         for (int i = 0; i < parity::max_inputs; ++i)

@@ -6,10 +6,9 @@
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
 //     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
-// In GLSL with both as globals, ahead of the filter:
+// In a shader with both as globals, ahead of the filter's text, which is bound to
 //
-//     #define STORED(map, size, at) umbrage_fetch_clamped(map, size, at).x
-//     #define UMBRAGE_FETCH(map, size, at) umbrage_apply_receiver_plane(STORED(map, size, at), slope, coord, at)
+//     {.depth = "umbrage_apply_receiver_plane(value.x, slope, coord, texel)", .needs = {apply_receiver_plane}}
 //
 #pragma once
 

@@ -116,13 +116,9 @@ inline constexpr snippet cleared_depth{
     .exactness = tier::a,
     .role = hook::cleared_depth,
     .source = R"GLSL(
-// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+// umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
-#ifdef UMBRAGE_REVERSED
-    return 0.0;
-#else
     return 1.0;
-#endif
 }
 )GLSL",
 };

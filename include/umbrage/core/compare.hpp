@@ -5,7 +5,7 @@
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
 //
 // Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or
-// comparison where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either
+// comparison where the direction is known when the program runs (in shaders: the binding's direction). A NaN on either
 // side is in shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far_plane
 // before they compare.
 #pragma once
@@ -132,17 +132,9 @@ inline constexpr snippet beyond_far_plane{
     .exactness = tier::a,
     .role = hook::beyond_far_plane,
     .source = R"GLSL(
-// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
-#ifndef UMBRAGE_BEYOND_FAR
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
-#else
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
-#endif
-#endif
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return UMBRAGE_BEYOND_FAR(receiver);
+    return receiver > 1.0;
 }
 )GLSL",
 };
@@ -151,14 +143,11 @@ inline constexpr snippet within_far_plane{
     .name = "within_far_plane",
     .summary = "receivers up to the far plane, NaN is none",
     .exactness = tier::a,
-    .needs = list<&beyond_far_plane>,
     .role = hook::within_far_plane,
     .source = R"GLSL(
 // umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
-    // a sum of choices, not an or of comparisons, which compilers take for true
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return umbrage_beyond_far_plane(receiver) ? false : number > 0.5;
+    return receiver <= 1.0;
 }
 )GLSL",
 };
@@ -169,17 +158,9 @@ inline constexpr snippet compare{
     .exactness = tier::a,
     .role = hook::compare,
     .source = R"GLSL(
-// UMBRAGE_COMPARE: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
-#ifndef UMBRAGE_COMPARE
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_COMPARE(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
-#else
-#define UMBRAGE_COMPARE(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
-#endif
-#endif
-// umbrage_compare: visibility of one comparison
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_COMPARE(receiver, stored);
+    return receiver <= stored ? 1.0 : 0.0;
 }
 )GLSL",
 };

@@ -237,17 +237,11 @@ inline constexpr snippet texel{
     .role = hook::texel,
     .source = R"GLSL(
 // umbrage_texel: value of a texel inside the map
-//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   map    where its texels lie; a sampler that reads them filters by nearest
 //   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
-#ifndef UMBRAGE_MAP
-#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
-#endif
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-#if __VERSION__ >= 130
-    return texelFetch(map, ivec2(texel), 0);
-#else
-    return texture2D(map, (texel + 0.5) / size);
-#endif
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
 }
 )GLSL",
 };

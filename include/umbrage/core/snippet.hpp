@@ -53,13 +53,12 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
     return "";
 }
 
-/// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with
-/// macros to change it; bind() puts another in its place.
+/// What of a snippet is a map's own affair. The text of such a snippet is that of a plain map, a 2D texture of depths;
+/// bind() puts another in its place for other maps.
 enum class hook {
     none,
-    cleared_depth,
-    border_depth,
     map_covers,
+    cleared_depth,
     beyond_far_plane,
     within_far_plane,
     compare,

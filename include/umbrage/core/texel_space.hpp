@@ -167,27 +167,20 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 )GLSL",
 };
 
-/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_CLAMPED, defined beforehand,
-/// makes it clamped(map) instead of bordered(map, cleared_depth(clip)).
+/// That of a bordered map; bind() makes of it what a map's binding says.
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth",
     .summary = "stored depth of a texel",
     .exactness = tier::a,
-    .needs = list<&fetch_clamped, &fetch_bordered, &cleared_depth>,
+    .needs = list<&texel>,
     .role = hook::fetch_depth,
     .source = R"GLSL(
-// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
-// UMBRAGE_CLAMPED: define it and outside the map the nearest texel inside counts, where it is else the far plane
-#ifndef UMBRAGE_FETCH
-#ifdef UMBRAGE_CLAMPED
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
-#else
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
-#endif
-#endif
-// umbrage_fetch_depth: stored depth of a texel
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return UMBRAGE_FETCH(map, size, texel);
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
+    UMBRAGE_HIGHP float depth = UMBRAGE_DEPTH;
+    return inside.x == texel.x && inside.y == texel.y ? depth : UMBRAGE_BORDER;
 }
 )GLSL",
 };
@@ -199,13 +192,8 @@ inline constexpr snippet map_covers{
     .role = hook::map_covers,
     .source = R"GLSL(
 // umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-// UMBRAGE_CLAMPED: define it and all receivers do
 bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
-#ifdef UMBRAGE_CLAMPED
-    return true;
-#else
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
-#endif
 }
 )GLSL",
 };

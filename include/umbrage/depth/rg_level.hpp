@@ -5,12 +5,11 @@
 //
 //     bool lit = umbrage::receiver_rg<11>(depth, umbrage::upper_edge<float>) <= umbrage::level_rg<11>(sampled);
 //
-// In a filter, outside of whose map all is lit:
+// In a shader the filter is bound to
 //
-//     #define STORED(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(1.0)).xy
-//     #define UMBRAGE_FETCH(map, size, texel) umbrage_level_rg11(STORED(map, size, texel))
+//     {.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}}
 //
-// and umbrage_receiver_rg11(depth, 1.0) for the receiver; the filter's visibility is that of decode_rg, to the bit.
+// and takes umbrage_receiver_rg11(depth, 1.0) for the receiver; its visibility is that of decode_rg, to the bit.
 #pragma once
 
 #include <cmath>

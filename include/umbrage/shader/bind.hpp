@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
@@ -26,6 +27,43 @@ namespace detail {
 
 [[nodiscard]] constexpr bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// The text with each word replaced by replacement(word, in_comment).
+template <class Replacement>
+[[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
+    std::string out;
+    bool comment = false;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && is_word(text[end])) ++end;
+        if (end > i) {
+            out += replacement(text.substr(i, end - i), comment);
+            i = end;
+            continue;
+        }
+        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
+        out += text[i++];
+    }
+    return out;
+}
+
+/// Its words, but for those in comments.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view text) {
+    std::vector<std::string_view> all;
+    (void)replace_words(text, [&](std::string_view word, bool comment) {
+        if (!comment) all.push_back(word);
+        return std::string();
+    });
+    return all;
+}
+
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool contains(const std::vector<std::string_view>& all, std::string_view word) {
+    for (const std::string_view one : all)
+        if (one == word) return true;
+    return false;
 }
 
 /// Checks a part of an identifier: letters, digits, single underscores between them.
@@ -64,6 +102,8 @@ void check_hooks(const snippet& what, const snippet& asked, const binding& map) 
                              "false where texels of cubes or whole numbers are gathered", map.gather);
     umbrage::detail::require(asked.role != hook::gather_lit || map.channels <= 2, "glsl::bind", "map.channels",
                              "1 or 2 where texels are gathered", map.channels);
+    umbrage::detail::require(&asked != &hooks::decode || !contains(words_of(map.depth), "texel"), "glsl::bind",
+                             "map.depth", "of value alone where texels are gathered", map.depth);
     for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
 }
 
@@ -84,7 +124,10 @@ void check(const snippet& what, std::string_view name, const binding& map) {
                                const char* condition = "one expression on one line") {
         umbrage::detail::require(own.empty() || is_expression(own), "glsl::bind", argument, condition, own);
     };
+    umbrage::detail::require(!compares(map.texture) || map.compare.empty(), "glsl::bind", "map.compare",
+                             "empty for a comparison sampler", map.compare);
     expression(map.depth, "map.depth");
+    expression(map.compare, "map.compare");
     expression(map.origin, "map.origin");
     expression(map.texture_size, "map.texture_size");
     expression(map.texel, "map.texel");
@@ -97,12 +140,11 @@ void check(const snippet& what, std::string_view name, const binding& map) {
 
 }  // namespace detail
 
-/// A snippet and the map that it is for; a snippet alone is for the shader's one map.
+/// A snippet and the map that it is for; a snippet alone is bind(snippet, "", {}), for a 2D texture of depths.
 struct bound {
     snippet what;
     std::string suffix{};
     binding map{};
-    bool by_macros = true;                               ///< in GLSL the hooks are macros of the shader's
     std::shared_ptr<const shader_interface> declared{};  ///< of a shadow: what the text declares for it,
     std::shared_ptr<const void> texts{};                 ///< and what keeps its snippets alive
 
@@ -110,7 +152,7 @@ struct bound {
     bound(const snippet& s) : what(s) {}
     template <class = umbrage::detail::on_use>
     bound(const snippet& s, std::string_view name, binding b)
-        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)), by_macros(false) {}
+        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)) {}
 };
 
 /// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.

@@ -41,11 +41,14 @@ struct binding {
     glsl::texture texture = glsl::texture::texture_2d;
     depth_direction direction = depth_direction::forward;
     std::optional<outside_map> outside{};  ///< none: bordered, but clamped for tiles, regions and faces of cubes
-    bool gather = false;           ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
-                                   ///< edge, but for regions
-    std::string depth{};           ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x
-    int channels = 1;              ///< how many of `value` it reads
-    std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
+    bool gather = false;    ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
+                            ///< edge, but for regions
+    std::string depth{};    ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x. Where
+                            ///< nothing is gathered also of vec2 `texel`, the number that was asked for
+    int channels = 1;       ///< how many of `value` it reads
+    std::string compare{};  ///< of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Empty:
+                            ///< by direction. With one's own no receiver is beyond the far plane
+    std::string origin{};   ///< vec2: the map's first texel in the texture; empty: (0, 0)
     std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
     std::string parameters{};      ///< in place of the kind's: what stands for the map in declarations,
     std::string arguments{};       ///< in calls,

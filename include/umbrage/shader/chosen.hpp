@@ -19,32 +19,36 @@ namespace umbrage::glsl::detail {
     const bool tile = has_region(b) || is_cube(b.texture);
     return b.outside.value_or(tile ? outside_map::clamped : outside_map::bordered) == outside_map::bordered;
 }
+/// Whether the map's depths are on a scale of their own.
+[[nodiscard]] inline bool is_scaled(const binding& b) {
+    for (const snippet& need : b.needs)
+        if (need.scaled) return true;
+    return false;
+}
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
+
+/// Whether receivers can be beyond the map's far plane; a comparison of one's own says itself what it does with them.
+[[nodiscard]] inline bool has_far_plane(const binding& b) { return b.compare.empty() && !is_scaled(b); }
 
 /// The function that a map has in place of a hook's own text; other snippets as they are.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
     const bool forward = b.direction == depth_direction::forward;
-    bool scaled = false;
-    for (const snippet& need : b.needs) scaled = scaled || need.scaled;
     switch (s.role) {
         case hook::none:
-        case hook::chosen: return s;
-        case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
-        case hook::border_depth: return scaled ? hooks::scaled_border_depth : s;
-        case hook::map_covers: return is_bordered(b) ? hooks::bordered_covers : hooks::clamped_covers;
+        case hook::chosen:
+        case hook::texel: return s;
+        case hook::cleared_depth: return forward ? s : hooks::reversed_cleared_depth;
+        case hook::map_covers: return is_bordered(b) ? s : hooks::clamped_covers;
         case hook::beyond_far_plane:
-            return scaled    ? hooks::scaled_beyond_far_plane
-                   : forward ? hooks::forward_beyond_far_plane
-                             : hooks::reversed_beyond_far_plane;
+            return !has_far_plane(b) ? hooks::no_beyond_far_plane : forward ? s : hooks::reversed_beyond_far_plane;
         case hook::within_far_plane:
-            return scaled ? s : forward ? hooks::forward_within_far_plane : hooks::reversed_within_far_plane;
-        case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
-        case hook::texel:
-        case hook::fetch_depth:
-            if (s.role == hook::texel) return hooks::texel;
-            return is_bordered(b) ? hooks::bordered_depth : hooks::clamped_depth;
+            return !has_far_plane(b) ? hooks::any_within_far_plane : forward ? s : hooks::reversed_within_far_plane;
+        case hook::compare:
+            if (!b.compare.empty()) return hooks::own_compare;
+            return forward ? s : hooks::reversed_compare;
+        case hook::fetch_depth: return is_bordered(b) ? s : hooks::clamped_depth;
         case hook::lit:
             if (!compares(b.texture)) return s;
             return is_bordered(b) ? hooks::bordered_lit : hooks::clamped_lit;
@@ -79,7 +83,7 @@ template <class = umbrage::detail::on_use>
 /// Whether a snippet's functions are a map's own.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool is_of_map(const snippet& s) {
-    return calls(s, hook::cleared_depth, hook::chosen);
+    return calls(s, hook::map_covers, hook::chosen);
 }
 
 /// Whether a snippet reads its map.

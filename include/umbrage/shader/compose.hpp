@@ -27,7 +27,6 @@ struct language {
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     std::string_view may_reorder{};              ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
-    bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
     std::string_view function = "glsl::text";    ///< that a user calls
     std::string (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
     std::optional<version> dialect{};  ///< GLSL's, where it is known
@@ -38,18 +37,12 @@ template <class = umbrage::detail::on_use>
 class composition {
 public:
     composition(const language& l, const std::vector<bound>& items) : language_(l), items_(items) {
-        binding one;  // the shader's one map compares on a scale of its own if anything here makes such depths
         for (const bound& item : items_)
-            if (item.by_macros && item.what.scaled) one.needs.push_back(item.what);
-        for (bound& item : items_) {
-            if (item.by_macros) item.map = one;
-            for (const bound& other : items)
-                if (!item.by_macros && item.suffix == other.suffix &&
-                    (other.by_macros ? is_of_map(other.what) : !(item.map == other.map)))
+            for (const bound& other : items_)
+                if (item.suffix == other.suffix && !(item.map == other.map) && has_map(item) && has_map(other))
                     umbrage::detail::refuse(language_.function, "name", "another for each map",
                                             std::string_view(item.suffix).substr(item.suffix.empty() ? 0 : 1),
                                             "It is the name of two maps.");
-        }
     }
 
     [[nodiscard]] std::string text() && {
@@ -57,9 +50,7 @@ public:
             const bool of_map = is_of_map(s);
             const std::string body = language_.translate(s);
             if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-            text_ += of_map && !keeps_macros(item)
-                         ? laid_out(for_map(body, s, item, language_.texture(item.map.texture)))
-                         : body;
+            text_ += of_map ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
             if (language_.preprocessor) text_ += "#endif\n";
         });
         for (const bound& item : items_)
@@ -99,11 +90,6 @@ private:
     void for_each(const Part& use) {
         for (const bool of_map : {false, true})
             for (const bound& item : items_) {
-                // No far plane for the shader's one map: a function, as a macro in two places confuses preprocessors of
-                // engines; and always, so that a file with such depths changes those that are pasted behind it.
-                if (of_map && keeps_macros(item) &&
-                    &chosen(beyond_far_plane, item.map) == &hooks::scaled_beyond_far_plane)
-                    add(hooks::scaled_beyond_far_plane, item, of_map, use);
                 for (const snippet& need : item.map.needs) add(need, item, of_map, use);
                 for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
                 add(item.what, item, of_map, use);
@@ -112,7 +98,7 @@ private:
 
     template <class Part>
     void add(const snippet& asked, const bound& item, bool of_map, const Part& use) {
-        const snippet& s = keeps_macros(item) ? asked : chosen(asked, item.map);
+        const snippet& s = chosen(asked, item.map);
         for (const snippet* need : s.needs) add(*need, item, of_map, use);
         if (is_of_map(s) != of_map) return;
         const std::string suffix = of_map ? item.suffix : std::string(), function = std::string(s.name) + suffix;
@@ -149,10 +135,15 @@ private:
         done_.push_back({i.name, {}, {}});
     }
 
-    [[nodiscard]] bool keeps_macros(const bound& item) const { return language_.macros && item.by_macros; }
+    /// Whether functions of the map's own stem from the item.
+    [[nodiscard]] static bool has_map(const bound& item) {
+        for (const snippet& need : item.map.needs)
+            if (is_of_map(need)) return true;
+        return is_of_map(item.what);
+    }
 
     const language& language_;
-    std::vector<bound> items_;
+    const std::vector<bound>& items_;
     std::string text_;
     std::vector<part> done_;
 };

@@ -32,43 +32,6 @@ struct texture_words {
     std::span<const snippet* const> needs{};         ///< what these words call
 };
 
-/// The text with each word replaced by replacement(word, in_comment).
-template <class Replacement>
-[[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
-    std::string out;
-    bool comment = false;
-    for (std::size_t i = 0; i < text.size();) {
-        std::size_t end = i;
-        while (end < text.size() && is_word(text[end])) ++end;
-        if (end > i) {
-            out += replacement(text.substr(i, end - i), comment);
-            i = end;
-            continue;
-        }
-        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
-        out += text[i++];
-    }
-    return out;
-}
-
-/// Its words, but for those in comments.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<std::string_view> words_of(std::string_view text) {
-    std::vector<std::string_view> all;
-    (void)replace_words(text, [&](std::string_view word, bool comment) {
-        if (!comment) all.push_back(word);
-        return std::string();
-    });
-    return all;
-}
-
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bool contains(const std::vector<std::string_view>& all, std::string_view word) {
-    for (const std::string_view one : all)
-        if (one == word) return true;
-    return false;
-}
-
 /// What a text calls its map: `map`, or `table`.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string name_of_map(std::string_view text) {
@@ -140,6 +103,8 @@ template <class = umbrage::detail::on_use>
         return own.empty() ? std::string(ordinary) : own;
     };
     const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
+    // Farther than all where depths have a scale of their own.
+    const std::string border = is_scaled(map) ? "65536.0" : map.direction == depth_direction::forward ? "1.0" : "0.0";
     const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
     const auto replace = [&](std::string_view what, std::string_view with) {
         for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
@@ -199,6 +164,8 @@ template <class = umbrage::detail::on_use>
         if (word.starts_with("umbrage_")) return suffixed(word);
         if (word == own_map && !comment) return list(arguments);
         if (word == "UMBRAGE_PARAMETERS") return list(not_declared_in(text, parameters));
+        if (word == "UMBRAGE_BORDER") return border;
+        if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
         if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);

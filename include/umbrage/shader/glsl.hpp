@@ -115,8 +115,7 @@ template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
-                                        .may_reorder = "GLSL below 400 and 320 es",
-                                        .macros = true};
+                                        .may_reorder = "GLSL below 400 and 320 es"};
 
 [[nodiscard]] constexpr bool is_es(version v) {
     return v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
@@ -175,7 +174,6 @@ template <class = umbrage::detail::on_use>
 /// True when the snippet bound to its map compiles in dialect `v`.
 [[nodiscard]] inline bool supports(const bound& item, version v) {
     if (!supports(item.what, v)) return false;
-    if (item.by_macros) return true;
     for (const snippet& need : item.map.needs)
         if (!supports(need, v)) return false;
     const bool gathers = v == version::v310_es || v == version::v320_es || v >= version::v430;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What a map can be, as functions: bind() puts these in place of the hooks' texts for a shader's one map. Words that a
-// map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture; UMBRAGE_DEPTH,
-// the depth of a `value`; UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
+// What a map can be, as functions: bind() puts these in place of a hook's own text, which is that of a plain map. Words
+// that a map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture;
+// UMBRAGE_DEPTH, the depth of a `value`; UMBRAGE_BORDER, the depth outside; UMBRAGE_COMPARE, one's own comparison;
+// UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
 //
 #pragma once
 
@@ -45,7 +46,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 inline constexpr snippet gathered_bordered{.name = "lit_2x2",
                                            .summary = "lit_2x2, gathered and bordered",
-                                           .needs = list<&gather_compared, &inside_map, &compare, &border_depth>,
+                                           .needs = list<&gather_compared, &inside_map, &compare>,
                                            .role = hook::chosen,
                                            .source = R"GLSL(
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
@@ -53,7 +54,7 @@ inline constexpr snippet gathered_bordered{.name = "lit_2x2",
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? lit.x : outside;
     UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
     UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
@@ -64,7 +65,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 inline constexpr snippet gathered_bordered_region{.name = "lit_2x2",
                                                   .summary = "lit_2x2, gathered in a bordered region",
-                                                  .needs = list<&gather_compared, &inside_map, &compare, &border_depth>,
+                                                  .needs = list<&gather_compared, &inside_map, &compare>,
                                                   .role = hook::chosen,
                                                   .source = R"GLSL(
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
@@ -78,7 +79,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
     UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
     UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
     UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
     UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
@@ -112,7 +113,7 @@ inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
                                                .exactness = tier::c,
                                                .within = 1.0f / 128.0f,
-                                               .needs = list<&within_far_plane, &compare, &border_depth>,
+                                               .needs = list<&within_far_plane, &compare>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
@@ -125,7 +126,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 )GLSL"};
@@ -136,7 +137,7 @@ inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
                                               .summary = "lit_at, sampled and bordered",
                                               .exactness = tier::c,
                                               .within = 1.0f / 128.0f,
-                                              .needs = list<&compare, &border_depth>,
+                                              .needs = list<&compare>,
                                               .role = hook::chosen,
                                               .source = R"GLSL(
 // umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
@@ -144,7 +145,7 @@ inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
@@ -154,14 +155,14 @@ inline constexpr snippet sampled_bordered_depth{.name = "depth_at",
                                                 .summary = "depth_at, sampled and bordered",
                                                 .exactness = tier::c,
                                                 .operations = 4,
-                                                .needs = list<&decode, &border_depth>,
+                                                .needs = list<&decode>,
                                                 .role = hook::chosen,
                                                 .source = R"GLSL(
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
     UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
-    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : umbrage_border_depth();
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
 }
 )GLSL"};
 
@@ -195,12 +196,10 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 
 /// Every one of them, for printers and packages.
 inline constexpr const auto& all =
-    list<&forward_cleared_depth, &reversed_cleared_depth, &border_depth, &scaled_border_depth, &bordered_covers,
-         &clamped_covers, &forward_beyond_far_plane, &reversed_beyond_far_plane, &scaled_beyond_far_plane,
-         &forward_within_far_plane, &reversed_within_far_plane, &forward_compare, &reversed_compare, &texel, &decode,
-         &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,
-         &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
-         &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
-         &sampled_depth, &sampled_bordered_depth>;
+    list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
+         &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
+         &lit_texel, &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels,
+         &gathered, &gathered_region, &gathered_bordered, &gathered_bordered_region, &clamped_lit_filtered,
+         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace umbrage::glsl::hooks

@@ -8,46 +8,11 @@
 
 namespace umbrage::glsl::hooks {
 
-inline constexpr snippet forward_cleared_depth{
-    .name = "cleared_depth", .summary = "cleared_depth, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_cleared_depth: depth of the far plane
-UMBRAGE_HIGHP float umbrage_cleared_depth() {
-    return 1.0;
-}
-)GLSL"};
-
 inline constexpr snippet reversed_cleared_depth{
     .name = "cleared_depth", .summary = "cleared_depth, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
     return 0.0;
-}
-)GLSL"};
-
-inline constexpr snippet border_depth{.name = "border_depth",
-                                      .summary = "border_depth, a depth",
-                                      .needs = list<&cleared_depth>,
-                                      .role = hook::border_depth,
-                                      .source = R"GLSL(
-// umbrage_border_depth: what texels outside the map count as, the far plane
-UMBRAGE_HIGHP float umbrage_border_depth() {
-    return umbrage_cleared_depth();
-}
-)GLSL"};
-
-inline constexpr snippet scaled_border_depth{
-    .name = "border_depth", .summary = "border_depth, scaled", .role = hook::chosen, .source = R"GLSL(
-// umbrage_border_depth: what texels outside the map count as, farther than all on this scale
-UMBRAGE_HIGHP float umbrage_border_depth() {
-    return 65536.0;
-}
-)GLSL"};
-
-inline constexpr snippet bordered_covers{
-    .name = "map_covers", .summary = "map_covers, bordered", .role = hook::chosen, .source = R"GLSL(
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
-    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 )GLSL"};
 
@@ -59,14 +24,6 @@ bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
 }
 )GLSL"};
 
-inline constexpr snippet forward_beyond_far_plane{
-    .name = "beyond_far_plane", .summary = "beyond_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
-bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return receiver > 1.0;
-}
-)GLSL"};
-
 inline constexpr snippet reversed_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
@@ -75,19 +32,21 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet scaled_beyond_far_plane{
-    .name = "beyond_far_plane", .summary = "beyond_far_plane, scaled", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
+inline constexpr snippet no_beyond_far_plane{
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, without", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return false;
 }
 )GLSL"};
 
-inline constexpr snippet forward_within_far_plane{
-    .name = "within_far_plane", .summary = "within_far_plane, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+inline constexpr snippet any_within_far_plane{
+    .name = "within_far_plane", .summary = "within_far_plane, without", .role = hook::chosen, .source = R"GLSL(
+// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
-    return receiver <= 1.0;
+    // a sum of choices, not an or of comparisons, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return number > 0.5;
 }
 )GLSL"};
 
@@ -99,14 +58,6 @@ bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
-inline constexpr snippet forward_compare{
-    .name = "compare", .summary = "compare, forward", .role = hook::chosen, .source = R"GLSL(
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
-UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return receiver <= stored ? 1.0 : 0.0;
-}
-)GLSL"};
-
 inline constexpr snippet reversed_compare{
     .name = "compare", .summary = "compare, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
@@ -115,16 +66,16 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 }
 )GLSL"};
 
-inline constexpr snippet texel{.name = "texel", .summary = "texel", .role = hook::chosen, .source = R"GLSL(
-// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
-UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    return UMBRAGE_TEXEL;
+inline constexpr snippet own_compare{
+    .name = "compare", .summary = "compare, own", .role = hook::chosen, .source = R"GLSL(
+// umbrage_compare: visibility of one comparison, the map's own
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_COMPARE;
 }
 )GLSL"};
 
 inline constexpr snippet decode{.name = "decode", .summary = "decode", .role = hook::chosen, .source = R"GLSL(
-// umbrage_decode: depth of a texel's value
+// umbrage_decode: depth of a value that the sampler gave
 UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
     return UMBRAGE_DEPTH;
 }
@@ -132,25 +83,13 @@ UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
 
 inline constexpr snippet clamped_depth{.name = "fetch_depth",
                                        .summary = "fetch_depth, clamped",
-                                       .needs = list<&fetch_clamped, &decode>,
+                                       .needs = list<&fetch_clamped>,
                                        .role = hook::chosen,
                                        .source = R"GLSL(
 // umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
-}
-)GLSL"};
-
-inline constexpr snippet bordered_depth{.name = "fetch_depth",
-                                        .summary = "fetch_depth, bordered",
-                                        .needs = list<&umbrage::glsl::texel, &decode, &border_depth>,
-                                        .role = hook::chosen,
-                                        .source = R"GLSL(
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
-UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
-    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_texel(map, size, inside));
-    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
 }
 )GLSL"};
 
@@ -175,7 +114,7 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet bordered_lit{.name = "lit",
                                       .summary = "lit, bordered",
-                                      .needs = list<&lit_texel, &compare, &border_depth>,
+                                      .needs = list<&lit_texel, &compare>,
                                       .role = hook::chosen,
                                       .source = R"GLSL(
 // umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
@@ -183,7 +122,7 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
                                 UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_border_depth());
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;
 }
 )GLSL"};

@@ -3,8 +3,8 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rg11: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 224) / 255, with reversed depth
 //   to (0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rg11.
-// Options, to define in front:
-//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -23,13 +23,9 @@
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH
-// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+// umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
-#ifdef UMBRAGE_REVERSED
-    return 0.0;
-#else
     return 1.0;
-#endif
 }
 #endif
 

@@ -1,9 +1,8 @@
 // umbrage 0.1.0, in_filter_domain: receivers that a filter compares; it takes the others as lit. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Options, to define in front:
-//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
-//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -31,17 +30,9 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
-#ifndef UMBRAGE_BEYOND_FAR
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
-#else
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
-#endif
-#endif
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return UMBRAGE_BEYOND_FAR(receiver);
+    return receiver > 1.0;
 }
 #endif
 

@@ -29,11 +29,3 @@ UMBRAGE_HIGHP float umbrage_level_rg12(UMBRAGE_HIGHP vec2 c) {
     return c.x + c.y * 16.0;  // an exact product: fused or not, it rounds once
 }
 #endif
-
-#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
-#define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: never on this scale; receivers behind the far plane come in as what every texel lights
-bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return false;
-}
-#endif

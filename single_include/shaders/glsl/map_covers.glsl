@@ -1,8 +1,8 @@
 // umbrage 0.1.0, map_covers: whether a receiver of a prefiltered map lies in it. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Options, to define in front:
-//   UMBRAGE_CLAMPED                   outside the map the nearest texel inside counts; without it the far plane, lit
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -22,12 +22,7 @@
 #ifndef UMBRAGE_HAS_MAP_COVERS
 #define UMBRAGE_HAS_MAP_COVERS
 // umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-// UMBRAGE_CLAMPED: define it and all receivers do
 bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
-#ifdef UMBRAGE_CLAMPED
-    return true;
-#else
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
-#endif
 }
 #endif

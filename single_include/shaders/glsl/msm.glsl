@@ -6,11 +6,10 @@
 // Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
 // Render target of msm: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far plane's
 //   depth.
-// Options, to define in front:
-//   UMBRAGE_MAP                       type of the map, in place of sampler2D
-//   UMBRAGE_CLAMPED                   outside the map the nearest texel inside counts; without it the far plane, lit
-//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
-//   UMBRAGE_BEYOND_FAR(receiver)      whether a receiver is behind the far plane
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -74,17 +73,9 @@ UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP floa
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
-#ifndef UMBRAGE_BEYOND_FAR
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
-#else
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
-#endif
-#endif
 // umbrage_beyond_far_plane: whether a receiver is behind the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return UMBRAGE_BEYOND_FAR(receiver);
+    return receiver > 1.0;
 }
 #endif
 
@@ -100,25 +91,17 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 #ifndef UMBRAGE_HAS_MAP_COVERS
 #define UMBRAGE_HAS_MAP_COVERS
 // umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
-// UMBRAGE_CLAMPED: define it and all receivers do
 bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
-#ifdef UMBRAGE_CLAMPED
-    return true;
-#else
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
-#endif
 }
 #endif
 
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   map    where its texels lie; a sampler that reads them filters by nearest
 //   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
-#ifndef UMBRAGE_MAP
-#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
-#endif
-UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
 #else
@@ -130,7 +113,8 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
 // umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
-UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                         UMBRAGE_HIGHP vec2 texel) {
     return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
 }
 #endif
@@ -139,7 +123,8 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 #define UMBRAGE_HAS_FETCH_BILINEAR
 // umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
 //   coord  in texels, first center at (0.5, 0.5)
-UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                          UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
@@ -158,13 +143,9 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH
-// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+// umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
-#ifdef UMBRAGE_REVERSED
-    return 0.0;
-#else
     return 1.0;
-#endif
 }
 #endif
 
@@ -200,7 +181,7 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
-UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));

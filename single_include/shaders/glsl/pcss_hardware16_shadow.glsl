@@ -11,13 +11,15 @@
 // Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Map: `sampler2DShadow map`, a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters
 //   linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
-// Options, to define in front:
-//   UMBRAGE_REVERSED                  depth is 1.0 at the near plane and 0.0 at the far plane
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   compare    one comparison, in place of receiver <= stored
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -63,13 +65,9 @@ UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
 
 #ifndef UMBRAGE_HAS_CLEARED_DEPTH
 #define UMBRAGE_HAS_CLEARED_DEPTH
-// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+// umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
-#ifdef UMBRAGE_REVERSED
-    return 0.0;
-#else
     return 1.0;
-#endif
 }
 #endif
 
@@ -107,7 +105,9 @@ bool umbrage_in_filter_domain_depths(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP flo
 
 #ifndef UMBRAGE_HAS_TEXEL_DEPTHS
 #define UMBRAGE_HAS_TEXEL_DEPTHS
-// umbrage_texel_depths: value of a texel inside the map; whole numbers, (0, 0) is the first
+// umbrage_texel_depths: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                         UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
@@ -118,38 +118,15 @@ UMBRAGE_HIGHP vec4 umbrage_texel_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIG
 }
 #endif
 
-#ifndef UMBRAGE_HAS_DECODE_DEPTHS
-#define UMBRAGE_HAS_DECODE_DEPTHS
-// umbrage_decode_depths: depth of a texel's value
-UMBRAGE_HIGHP float umbrage_decode_depths(UMBRAGE_HIGHP vec4 value) {
-    return value.x;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_CLEARED_DEPTH_DEPTHS
-#define UMBRAGE_HAS_CLEARED_DEPTH_DEPTHS
-// umbrage_cleared_depth_depths: depth of the far plane
-UMBRAGE_HIGHP float umbrage_cleared_depth_depths() {
-    return 1.0;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_BORDER_DEPTH_DEPTHS
-#define UMBRAGE_HAS_BORDER_DEPTH_DEPTHS
-// umbrage_border_depth_depths: what texels outside the map count as, the far plane
-UMBRAGE_HIGHP float umbrage_border_depth_depths() {
-    return umbrage_cleared_depth_depths();
-}
-#endif
-
 #ifndef UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
 #define UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
 // umbrage_fetch_depth_depths: stored depth of a texel, outside the map that of the far plane
 UMBRAGE_HIGHP float umbrage_fetch_depth_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
-    UMBRAGE_HIGHP float depth = umbrage_decode_depths(umbrage_texel_depths(map, size, inside));
-    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth_depths();
+    UMBRAGE_HIGHP vec4 value = umbrage_texel_depths(map, size, inside);
+    UMBRAGE_HIGHP float depth = value.x;
+    return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;
 }
 #endif
 
@@ -249,22 +226,6 @@ UMBRAGE_HIGHP float umbrage_compare_shadow(UMBRAGE_HIGHP float receiver, UMBRAGE
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
-#define UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
-// umbrage_cleared_depth_shadow: depth of the far plane
-UMBRAGE_HIGHP float umbrage_cleared_depth_shadow() {
-    return 1.0;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_BORDER_DEPTH_SHADOW
-#define UMBRAGE_HAS_BORDER_DEPTH_SHADOW
-// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
-UMBRAGE_HIGHP float umbrage_border_depth_shadow() {
-    return umbrage_cleared_depth_shadow();
-}
-#endif
-
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
 // umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
@@ -272,7 +233,7 @@ UMBRAGE_HIGHP float umbrage_border_depth_shadow() {
 UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                           UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = textureLod(map, vec3(uv, receiver), 0.0);
-    UMBRAGE_HIGHP float outside = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    UMBRAGE_HIGHP float outside = umbrage_compare_shadow(receiver, 1.0);
     UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }

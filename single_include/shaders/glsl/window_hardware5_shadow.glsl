@@ -6,7 +6,10 @@
 // Map: `sampler2DShadow map`, a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters
 //   linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -65,22 +68,6 @@ UMBRAGE_HIGHP float umbrage_compare_shadow(UMBRAGE_HIGHP float receiver, UMBRAGE
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
-#define UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
-// umbrage_cleared_depth_shadow: depth of the far plane
-UMBRAGE_HIGHP float umbrage_cleared_depth_shadow() {
-    return 1.0;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_BORDER_DEPTH_SHADOW
-#define UMBRAGE_HAS_BORDER_DEPTH_SHADOW
-// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
-UMBRAGE_HIGHP float umbrage_border_depth_shadow() {
-    return umbrage_cleared_depth_shadow();
-}
-#endif
-
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
 // umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
@@ -88,7 +75,7 @@ UMBRAGE_HIGHP float umbrage_border_depth_shadow() {
 UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                           UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = textureLod(map, vec3(uv, receiver), 0.0);
-    UMBRAGE_HIGHP float outside = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    UMBRAGE_HIGHP float outside = umbrage_compare_shadow(receiver, 1.0);
     UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }

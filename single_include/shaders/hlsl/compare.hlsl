@@ -1,6 +1,9 @@
 // umbrage 0.1.0, compare: one comparison. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   compare    one comparison, in place of receiver <= stored
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE

@@ -1,7 +1,8 @@
 // umbrage 0.1.0, map_covers: whether a receiver of a prefiltered map lies in it. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
 
 #ifndef UMBRAGE_HAS_MAP_COVERS
 #define UMBRAGE_HAS_MAP_COVERS

@@ -7,7 +7,11 @@
 // Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HAS_COMPARE_DX_SDK
 #define UMBRAGE_HAS_COMPARE_DX_SDK
@@ -46,33 +50,11 @@ precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
 
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
-// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
-}
-#endif
-
-#ifndef UMBRAGE_HAS_DECODE
-#define UMBRAGE_HAS_DECODE
-// umbrage_decode: depth of a texel's value
-float umbrage_decode(float4 value) {
-    return value.x;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_CLEARED_DEPTH
-#define UMBRAGE_HAS_CLEARED_DEPTH
-// umbrage_cleared_depth: depth of the far plane
-float umbrage_cleared_depth() {
-    return 1.0;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_BORDER_DEPTH
-#define UMBRAGE_HAS_BORDER_DEPTH
-// umbrage_border_depth: what texels outside the map count as, the far plane
-float umbrage_border_depth() {
-    return umbrage_cleared_depth();
 }
 #endif
 
@@ -81,8 +63,9 @@ float umbrage_border_depth() {
 // umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
-    float depth = umbrage_decode(umbrage_texel(map, size, inside));
-    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth();
+    float4 value = umbrage_texel(map, size, inside);
+    float depth = value.x;
+    return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;
 }
 #endif
 

@@ -5,7 +5,10 @@
 // Map: `Texture2D<float> map, SamplerComparisonState map_sampler`, a depth texture. Its sampler passes receiver <=
 //   depth, clamps to the edge and filters linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -49,22 +52,6 @@ float umbrage_compare_shadow(float receiver, float stored) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
-#define UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
-// umbrage_cleared_depth_shadow: depth of the far plane
-float umbrage_cleared_depth_shadow() {
-    return 1.0;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_BORDER_DEPTH_SHADOW
-#define UMBRAGE_HAS_BORDER_DEPTH_SHADOW
-// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
-float umbrage_border_depth_shadow() {
-    return umbrage_cleared_depth_shadow();
-}
-#endif
-
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
 // umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
@@ -72,7 +59,7 @@ float umbrage_border_depth_shadow() {
 float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 uv,
                             float receiver) {
     float lit = map.SampleCmpLevelZero(map_sampler, uv, receiver);
-    float outside = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    float outside = umbrage_compare_shadow(receiver, 1.0);
     float2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }

@@ -10,11 +10,15 @@
 // Map: `Texture2D<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Map: `Texture2D<float> map, SamplerComparisonState map_sampler`, a depth texture. Its sampler passes receiver <=
 //   depth, clamps to the edge and filters linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   compare    one comparison, in place of receiver <= stored
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
@@ -84,33 +88,11 @@ precise bool umbrage_in_filter_domain_depths(float2 coord, float receiver) {
 
 #ifndef UMBRAGE_HAS_TEXEL_DEPTHS
 #define UMBRAGE_HAS_TEXEL_DEPTHS
-// umbrage_texel_depths: value of a texel inside the map; whole numbers, (0, 0) is the first
+// umbrage_texel_depths: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
 float4 umbrage_texel_depths(Texture2D<float> map, float2 size, float2 texel) {
     return (float4)map.Load(int3(int2(texel), 0));
-}
-#endif
-
-#ifndef UMBRAGE_HAS_DECODE_DEPTHS
-#define UMBRAGE_HAS_DECODE_DEPTHS
-// umbrage_decode_depths: depth of a texel's value
-float umbrage_decode_depths(float4 value) {
-    return value.x;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_CLEARED_DEPTH_DEPTHS
-#define UMBRAGE_HAS_CLEARED_DEPTH_DEPTHS
-// umbrage_cleared_depth_depths: depth of the far plane
-float umbrage_cleared_depth_depths() {
-    return 1.0;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_BORDER_DEPTH_DEPTHS
-#define UMBRAGE_HAS_BORDER_DEPTH_DEPTHS
-// umbrage_border_depth_depths: what texels outside the map count as, the far plane
-float umbrage_border_depth_depths() {
-    return umbrage_cleared_depth_depths();
 }
 #endif
 
@@ -119,8 +101,9 @@ float umbrage_border_depth_depths() {
 // umbrage_fetch_depth_depths: stored depth of a texel, outside the map that of the far plane
 float umbrage_fetch_depth_depths(Texture2D<float> map, float2 size, float2 texel) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
-    float depth = umbrage_decode_depths(umbrage_texel_depths(map, size, inside));
-    return inside.x == texel.x && inside.y == texel.y ? depth : umbrage_border_depth_depths();
+    float4 value = umbrage_texel_depths(map, size, inside);
+    float depth = value.x;
+    return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;
 }
 #endif
 
@@ -217,22 +200,6 @@ float umbrage_compare_shadow(float receiver, float stored) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
-#define UMBRAGE_HAS_CLEARED_DEPTH_SHADOW
-// umbrage_cleared_depth_shadow: depth of the far plane
-float umbrage_cleared_depth_shadow() {
-    return 1.0;
-}
-#endif
-
-#ifndef UMBRAGE_HAS_BORDER_DEPTH_SHADOW
-#define UMBRAGE_HAS_BORDER_DEPTH_SHADOW
-// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
-float umbrage_border_depth_shadow() {
-    return umbrage_cleared_depth_shadow();
-}
-#endif
-
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
 // umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
@@ -240,7 +207,7 @@ float umbrage_border_depth_shadow() {
 float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 uv,
                             float receiver) {
     float lit = map.SampleCmpLevelZero(map_sampler, uv, receiver);
-    float outside = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    float outside = umbrage_compare_shadow(receiver, 1.0);
     float2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }

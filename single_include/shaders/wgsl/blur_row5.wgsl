@@ -6,6 +6,8 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 // Paste along: texel.wgsl, fetch_clamped.wgsl; or paste wgsl_joined/blur_row5.wgsl alone.
 
 // umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle

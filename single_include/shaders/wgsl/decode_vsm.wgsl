@@ -5,6 +5,8 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: chebyshev.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl; or paste wgsl_joined/decode_vsm.wgsl alone.
 
 // umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit

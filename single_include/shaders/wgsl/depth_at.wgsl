@@ -8,9 +8,11 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
-// Paste along: texel.wgsl, decode.wgsl, cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl; or paste
-//   wgsl_joined/depth_at.wgsl alone.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+// Paste along: texel.wgsl, fetch_depth.wgsl; or paste wgsl_joined/depth_at.wgsl alone.
 
 // umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN

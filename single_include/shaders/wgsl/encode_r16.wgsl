@@ -3,6 +3,8 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of r16: R16 UNORM, not sRGB, no blending, one sample. Clear to (65535) / 65535, with reversed depth
 //   to (0) / 65535. Write umbrage_to_unorm16 of umbrage_encode_r16.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_r16.wgsl alone.
 
 // umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16

@@ -5,6 +5,8 @@
 // Render target of threejs_legacy_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255,
 //   255) / 255, with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of
 //   umbrage_encode_threejs_legacy_repaired.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_threejs_legacy_repaired.wgsl alone.
 
 // umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;

@@ -5,6 +5,8 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/false_color.wgsl alone.
 
 // umbrage_false_color: blue for 0.0, through green, to red for 1.0

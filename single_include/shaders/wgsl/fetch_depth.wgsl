@@ -1,13 +1,19 @@
-// umbrage 0.1.0, fetch_depth: stored depth of a texel, outside the map that of the far plane. Exactness: tier A.
+// umbrage 0.1.0, fetch_depth: stored depth of a texel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// Paste along: texel.wgsl, decode.wgsl, cleared_depth.wgsl, border_depth.wgsl; or paste wgsl_joined/fetch_depth.wgsl
-//   alone.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+// Paste along: texel.wgsl; or paste wgsl_joined/fetch_depth.wgsl alone.
 
 // umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
-    let depth: f32 = umbrage_decode(umbrage_texel(map, size, inside));
-    return select(umbrage_border_depth(), depth, inside.x == texel.x && inside.y == texel.y);
+    let value: vec4f = umbrage_texel(map, size, inside);
+    let depth: f32 = value.x;
+    return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
 }

@@ -4,11 +4,16 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   compare    one comparison, in place of receiver <= stored
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, cleared_depth.wgsl,
-//   distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, decode.wgsl, border_depth.wgsl, fetch_depth.wgsl,
-//   compare.wgsl, blocker.wgsl, blockers16.wgsl, correct_quotient.wgsl, floor_divide.wgsl, disc_radius.wgsl,
-//   lit.wgsl, disc16.wgsl; or paste wgsl_joined/pcss16.wgsl alone.
+//   distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_depth.wgsl, compare.wgsl, blocker.wgsl,
+//   blockers16.wgsl, correct_quotient.wgsl, floor_divide.wgsl, disc_radius.wgsl, lit.wgsl, disc16.wgsl; or paste
+//   wgsl_joined/pcss16.wgsl alone.
 
 // umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)

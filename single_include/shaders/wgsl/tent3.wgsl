@@ -1,13 +1,18 @@
 // umbrage 0.1.0, tent3: sliding window 1 2 1. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered. For a comparison
+//   sampler: tent3_shadow.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   compare    one comparison, in place of receiver <= stored
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
-//   decode.wgsl, cleared_depth.wgsl, border_depth.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, window_sum3.wgsl;
-//   or paste wgsl_joined/tent3.wgsl alone.
+//   fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, window_sum3.wgsl; or paste wgsl_joined/tent3.wgsl alone.
 
 // umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)

@@ -4,7 +4,12 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   compare    one comparison, in place of receiver <= stored
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
@@ -28,31 +33,19 @@ fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver <= stored);
 }
 
-// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
-}
-
-// umbrage_decode: depth of a texel's value
-fn umbrage_decode(value: vec4f) -> f32 {
-    return value.x;
-}
-
-// umbrage_cleared_depth: depth of the far plane
-fn umbrage_cleared_depth() -> f32 {
-    return 1.0;
-}
-
-// umbrage_border_depth: what texels outside the map count as, the far plane
-fn umbrage_border_depth() -> f32 {
-    return umbrage_cleared_depth();
 }
 
 // umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
-    let depth: f32 = umbrage_decode(umbrage_texel(map, size, inside));
-    return select(umbrage_border_depth(), depth, inside.x == texel.x && inside.y == texel.y);
+    let value: vec4f = umbrage_texel(map, size, inside);
+    let depth: f32 = value.x;
+    return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
 }
 
 // umbrage_lit: visibility of one comparison with a texel

@@ -8,7 +8,10 @@
 // Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=
 //   depth, clamps to the edge and filters nearest.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
@@ -39,22 +42,12 @@ fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver <= stored);
 }
 
-// umbrage_cleared_depth_shadow: depth of the far plane
-fn umbrage_cleared_depth_shadow() -> f32 {
-    return 1.0;
-}
-
-// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
-fn umbrage_border_depth_shadow() -> f32 {
-    return umbrage_cleared_depth_shadow();
-}
-
 // umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the far plane
 fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
                       receiver: f32) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let lit: f32 = umbrage_lit_texel_shadow(map, map_sampler, size, inside, receiver);
-    let outside: f32 = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    let outside: f32 = umbrage_compare_shadow(receiver, 1.0);
     return select(outside, lit, inside.x == texel.x && inside.y == texel.y);
 }
 

@@ -5,6 +5,8 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 // umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
 fn umbrage_power_of_two(n: f32) -> f32 {

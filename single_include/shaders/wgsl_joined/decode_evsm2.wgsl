@@ -5,6 +5,8 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 // umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
 //   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more

@@ -9,6 +9,8 @@
 //   depth.
 // Render target of msm_hausdorff: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_msm of the far
 //   plane's depth.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 // umbrage_cleared_depth: depth of the far plane
 fn umbrage_cleared_depth() -> f32 {

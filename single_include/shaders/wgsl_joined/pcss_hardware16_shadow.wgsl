@@ -11,11 +11,15 @@
 // Map: `map: texture_depth_2d`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
 // Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=
 //   depth, clamps to the edge and filters linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   compare    one comparison, in place of receiver <= stored
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
@@ -65,31 +69,19 @@ fn umbrage_in_filter_domain_depths(coord: vec2f, receiver: f32) -> bool {
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_depths(receiver));
 }
 
-// umbrage_texel_depths: value of a texel inside the map; whole numbers, (0, 0) is the first
+// umbrage_texel_depths: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
 fn umbrage_texel_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) -> vec4f {
     return vec4f(textureLoad(map, vec2i(texel), 0));
-}
-
-// umbrage_decode_depths: depth of a texel's value
-fn umbrage_decode_depths(value: vec4f) -> f32 {
-    return value.x;
-}
-
-// umbrage_cleared_depth_depths: depth of the far plane
-fn umbrage_cleared_depth_depths() -> f32 {
-    return 1.0;
-}
-
-// umbrage_border_depth_depths: what texels outside the map count as, the far plane
-fn umbrage_border_depth_depths() -> f32 {
-    return umbrage_cleared_depth_depths();
 }
 
 // umbrage_fetch_depth_depths: stored depth of a texel, outside the map that of the far plane
 fn umbrage_fetch_depth_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
-    let depth: f32 = umbrage_decode_depths(umbrage_texel_depths(map, size, inside));
-    return select(umbrage_border_depth_depths(), depth, inside.x == texel.x && inside.y == texel.y);
+    let value: vec4f = umbrage_texel_depths(map, size, inside);
+    let depth: f32 = value.x;
+    return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
 }
 
 // umbrage_depth_at_depths: stored depth of the texel at a point; on a border it may be the texel beside
@@ -161,22 +153,12 @@ fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver <= stored);
 }
 
-// umbrage_cleared_depth_shadow: depth of the far plane
-fn umbrage_cleared_depth_shadow() -> f32 {
-    return 1.0;
-}
-
-// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
-fn umbrage_border_depth_shadow() -> f32 {
-    return umbrage_cleared_depth_shadow();
-}
-
 // umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, uv: vec2f,
                          receiver: f32) -> f32 {
     let lit: f32 = textureSampleCompareLevel(map, map_sampler, uv, receiver);
-    let outside: f32 = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    let outside: f32 = umbrage_compare_shadow(receiver, 1.0);
     let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }

@@ -7,7 +7,10 @@
 // Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=
 //   depth, clamps to the edge and filters linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
-// Outside the map all is lit. For the nearest texel inside instead: bind() with outside clamped.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
@@ -36,22 +39,12 @@ fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver <= stored);
 }
 
-// umbrage_cleared_depth_shadow: depth of the far plane
-fn umbrage_cleared_depth_shadow() -> f32 {
-    return 1.0;
-}
-
-// umbrage_border_depth_shadow: what texels outside the map count as, the far plane
-fn umbrage_border_depth_shadow() -> f32 {
-    return umbrage_cleared_depth_shadow();
-}
-
 // umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
 //   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
 fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, uv: vec2f,
                          receiver: f32) -> f32 {
     let lit: f32 = textureSampleCompareLevel(map, map_sampler, uv, receiver);
-    let outside: f32 = umbrage_compare_shadow(receiver, umbrage_border_depth_shadow());
+    let outside: f32 = umbrage_compare_shadow(receiver, 1.0);
     let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }

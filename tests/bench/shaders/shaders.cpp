@@ -61,8 +61,10 @@ void main() {
 }
 
 bench::spirv fragment(const shader& s) {
-    return compile(glsl::source(glsl::version::vulkan, s.snippets, "#define UMBRAGE_CLAMPED\n" + s.preamble) +
-                       inputs("in") + R"GLSL(
+    std::vector<glsl::bound> snippets = s.snippets;
+    for (glsl::bound& item : snippets)  // what a border costs is a job of its own
+        if (item.map == glsl::binding{}) item.map.outside = umbrage::outside_map::clamped;
+    return compile(glsl::source(glsl::version::vulkan, snippets, s.preamble) + inputs("in") + R"GLSL(
 layout(binding = 0) uniform sampler2D map;
 layout(binding = 1) uniform sampler2D table;
 layout(binding = 2) uniform sampler2DShadow depth_map;

@@ -150,7 +150,7 @@ const exhibit all[] = {
     {"Reversed Z, comparison kept", "mrdoob/three.js#29770 and seven threads after it, Babylon.js#17315",
      "Near is 1 now: what was behind the occluder is lit and what was in front is not.", "receiver <= stored",
      "2^18 pairs of reversed depths, the wrong answer", "visibility",
-     "`greater_equal` is an argument of every filter, `UMBRAGE_COMPARE` of every snippet",
+     "`greater_equal` is an argument of every filter, `direction` of every binding",
      [] { return reversed_pairs([](float d, float s) { return compare(d, s); }); },
      [] { return reversed_pairs([](float d, float s) { return compare(d, s, greater_equal{}); }); }},
     {"Reversed Z, bias kept", "the same threads",

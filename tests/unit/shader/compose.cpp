@@ -48,8 +48,6 @@ TEST_CASE("a map's functions carry its name and take what its texture is called 
           std::string::npos);
     CHECK(function(text, "umbrage_compare_sun").find("receiver >= stored") != std::string::npos);
     CHECK(text.find("#define UMBRAGE_HAS_HARD_SUN\n") != std::string::npos);
-    CHECK(count(text, "UMBRAGE_MAP") == 0);  // macros are the one map's
-    CHECK(count(text, "UMBRAGE_ORIGIN") == 0);
     CHECK(text.find("map, size  shadow map and its size") != std::string::npos);  // comments keep their words
 }
 
@@ -72,17 +70,37 @@ TEST_CASE("several maps in one text: each its own functions, what belongs to non
 TEST_CASE("a map without a name: beside it stands what belongs to no map, not what is for another without a name") {
     CHECK(glsl::text({bind(glsl::hard, "", packed), glsl::decode_rg<11>}).find("float umbrage_hard(") !=
           std::string::npos);
-    for (const binding& map : {packed, binding{}}) {  // whatever the order, and be it of the same kind
-        CHECK_THROWS_WITH_AS(
-            (void)glsl::text({bind(glsl::hard, "", map), glsl::box}),
-            "umbrage::glsl::text: name must be another for each map; got \"\". It is the name of two maps.",
-            std::invalid_argument);
-        CHECK_THROWS_AS((void)glsl::text({glsl::box, bind(glsl::hard, "", map)}), std::invalid_argument);
+    CHECK_THROWS_WITH_AS(  // whatever the order
+        (void)glsl::text({bind(glsl::hard, "", packed), glsl::box}),
+        "umbrage::glsl::text: name must be another for each map; got \"\". It is the name of two maps.",
+        std::invalid_argument);
+    CHECK_THROWS_AS((void)glsl::text({glsl::box, bind(glsl::hard, "", packed)}), std::invalid_argument);
+}
+
+TEST_CASE("a snippet alone is bound to a plain map without a name") {
+    for (const snippet* s : registry()) {
+        CAPTURE(s->name);
+        CHECK(glsl::text({*s}) == glsl::text({bind(*s, "")}));
+    }
+    CHECK_NOTHROW((void)glsl::text({bind(glsl::hard, "", {}), glsl::box}));
+}
+
+TEST_CASE("a text has no directives but guards, those of its head, and questions for the version of GLSL") {
+    const std::string head(glsl::prelude);
+    for (const snippet* s : registry()) {
+        CAPTURE(s->name);
+        std::string text = glsl::text({*s});
+        REQUIRE(text.find(head) != text.npos);
+        text.erase(text.find(head), head.size());
+        for (const char* guard :
+             {"\n#ifndef UMBRAGE_HAS_", "\n#define UMBRAGE_HAS_", "\n#if __VERSION__ >= ", "\n#else\n", "\n#endif\n"})
+            for (auto at = text.find(guard); at != text.npos; at = text.find(guard)) text.erase(at + 1, 1);
+        CHECK(text.find("\n#") == text.npos);
     }
 }
 
 TEST_CASE("names that make one function of two, or one guard, are refused") {
-    CHECK_THROWS_WITH_AS((void)glsl::text({bind(glsl::hard, "rg11", packed)}),
+    CHECK_THROWS_WITH_AS((void)glsl::text({bind(glsl::pcf_2x2, "rg11", stored_as(rg<11>{}, {.gather = true}))}),
                          "umbrage::glsl::text: name must be such that functions differ, in capitals too; got "
                          "umbrage_decode_rg11 and umbrage_decode_rg11",
                          std::invalid_argument);
@@ -94,24 +112,48 @@ TEST_CASE("names that make one function of two, or one guard, are refused") {
     CHECK_THROWS_AS((void)glsl::text({bind(glsl::hard, "2x2"), glsl::pcf_2x2}), std::invalid_argument);
 }
 
-TEST_CASE("what hooks call is put in front, however the snippets are listed") {
+TEST_CASE("what belongs to no map is put in front, however the snippets are listed") {
     const std::string a = glsl::text({glsl::hard, glsl::decode_rg<11>}),
                       b = glsl::text({glsl::decode_rg<11>, glsl::hard});
-    for (const std::string& text : {a, b})
-        CHECK(text.find("umbrage_decode_rg11(") < text.find("#ifndef UMBRAGE_FETCH"));
+    for (const std::string& text : {a, b}) CHECK(text.find("umbrage_decode_rg11(") < text.find("umbrage_fetch_depth("));
 }
 
 TEST_CASE("a map of depths on a scale of their own has no far plane") {
     binding levels{.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}};
     CHECK(function(glsl::text({bind(glsl::hard, "a", levels)}), "umbrage_beyond_far_plane_a").find("return false;") !=
           std::string::npos);
-    for (const std::string& text :
-         {glsl::text({glsl::hard, glsl::level_rg<11>}), glsl::text({glsl::level_rg<11>, glsl::hard}),
-          glsl::text({glsl::level_rg<11>})}) {  // to be pasted in front of filters
-        CHECK(function(text, "umbrage_beyond_far_plane").find("return false;") != std::string::npos);
-        CHECK(text.find("UMBRAGE_BEYOND_FAR(") == std::string::npos);
+    CHECK(function(glsl::text({bind(glsl::hard, "a", levels)}), "umbrage_fetch_depth_a").find(" : 65536.0;\n") !=
+          std::string::npos);
+    CHECK(function(glsl::text({glsl::hard, glsl::level_rg<11>}), "umbrage_beyond_far_plane").find("> 1.0;") !=
+          std::string::npos);
+}
+
+TEST_CASE("a comparison of one's own stands for all of the map's, and knows no far plane") {
+    const std::string text = glsl::text({bind(glsl::hard, "a", {.compare = "exp(stored - receiver)"})});
+    CHECK(function(text, "umbrage_compare_a").find("return exp(stored - receiver);\n") != std::string::npos);
+    CHECK(function(text, "umbrage_beyond_far_plane_a").find("return false;") != std::string::npos);
+    CHECK(function(text, "umbrage_fetch_depth_a").find(" : 1.0;\n") != std::string::npos);
+    CHECK_THROWS_WITH_AS((void)bind(glsl::hard, "a", {.texture = texture::shadow, .compare = "1.0"}),
+                         "umbrage::glsl::bind: map.compare must be empty for a comparison sampler; got \"1.0\"",
+                         std::invalid_argument);
+    CHECK_THROWS_AS((void)bind(glsl::hard, "a", {.compare = "1.0; return"}), std::invalid_argument);
+}
+
+TEST_CASE("a depth is of a texel's value and of its number; a gather knows no number") {
+    const binding tilted{.depth = "value.x + texel.x * slope"};
+    for (const auto outside : {outside_map::bordered, outside_map::clamped}) {
+        binding map = tilted;
+        map.outside = outside;
+        CHECK(function(glsl::text({bind(glsl::hard, "a", map)}), "umbrage_fetch_depth_a")
+                  .find("value.x + texel.x * slope;\n") != std::string::npos);
     }
-    CHECK(glsl::text({glsl::hard, glsl::decode_rg<11>}).find("#ifndef UMBRAGE_BEYOND_FAR\n") != std::string::npos);
+    binding gathered = tilted;
+    gathered.gather = true;
+    CHECK_NOTHROW((void)bind(glsl::hard, "a", gathered));  // it gathers nothing
+    CHECK_THROWS_WITH_AS((void)bind(glsl::pcf_2x2, "a", gathered),
+                         "umbrage::glsl::bind: map.depth must be of value alone where texels are gathered; got "
+                         "\"value.x + texel.x * slope\"",
+                         std::invalid_argument);
 }
 
 TEST_CASE("regions: the origin is added where the texture is read, and nowhere else") {
@@ -207,9 +249,10 @@ TEST_CASE("every filter and every kind of texture make a text without a word lef
                 for (const snippet& s :
                      {glsl::hard, glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_hardware, glsl::window_hardware<3>}) {
                     const std::string text = glsl::text({bind(s, "a", map)});
-                    for (const char* word : {"UMBRAGE_MAP", "UMBRAGE_PARAMETERS", "UMBRAGE_TEXEL", "UMBRAGE_LIT_TEXEL",
-                                             "UMBRAGE_LIT_FILTERED", "UMBRAGE_GATHER", "UMBRAGE_ORIGIN",
-                                             "UMBRAGE_DEPTH", "UMBRAGE_TEXTURE_SIZE"})
+                    for (const char* word :
+                         {"UMBRAGE_MAP", "UMBRAGE_PARAMETERS", "UMBRAGE_TEXEL", "UMBRAGE_LIT_TEXEL",
+                          "UMBRAGE_LIT_FILTERED", "UMBRAGE_GATHER", "UMBRAGE_ORIGIN", "UMBRAGE_BORDER",
+                          "UMBRAGE_COMPARE", "UMBRAGE_DEPTH", "UMBRAGE_TEXTURE_SIZE"})
                         CHECK(text.find(word) == std::string::npos);
                 }
             }

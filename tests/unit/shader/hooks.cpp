@@ -9,7 +9,7 @@
 
 using namespace umbrage::glsl;
 
-TEST_CASE("hooks that maps choose: functions without macros, named for the hook they stand for") {
+TEST_CASE("hooks that maps choose: functions without directives, named for the hook they stand for") {
     std::set<std::string_view> summaries;
     for (const snippet* s : hooks::all) {
         CAPTURE(s->name);

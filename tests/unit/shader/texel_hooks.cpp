@@ -13,9 +13,9 @@ TEST_CASE("a map's texels choose by direction, by what is outside, and by who co
     const binding ordinary, reversed{.direction = umbrage::depth_direction::reversed},
         clamped{.outside = umbrage::outside_map::clamped}, shadow{.texture = texture::shadow},
         clamped_shadow{.texture = texture::shadow, .outside = umbrage::outside_map::clamped};
-    CHECK(&chosen(glsl::compare, ordinary) == &hooks::forward_compare);
+    CHECK(&chosen(glsl::compare, ordinary) == &glsl::compare);
     CHECK(&chosen(glsl::compare, reversed) == &hooks::reversed_compare);
-    CHECK(&chosen(glsl::fetch_depth, ordinary) == &hooks::bordered_depth);
+    CHECK(&chosen(glsl::fetch_depth, ordinary) == &glsl::fetch_depth);
     CHECK(&chosen(glsl::fetch_depth, clamped) == &hooks::clamped_depth);
     CHECK(&chosen(glsl::lit, ordinary) == &glsl::lit);
     CHECK(&chosen(glsl::lit, shadow) == &hooks::bordered_lit);

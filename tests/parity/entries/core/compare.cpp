@@ -42,6 +42,14 @@ void add_core_compare(std::vector<entry>& all) {
            [](float receiver, comparison is_lit) { return beyond_far_plane(receiver, is_lit); });
     at_far(glsl::within_far_plane,
            [](float receiver, comparison is_lit) { return within_far_plane(receiver, is_lit); });
+    const auto no_far_plane = [](float receiver, float stored) { return receiver < stored; };
+    all.push_back(
+        {.primitive = &glsl::within_far_plane,
+         .variant = "own comparison",
+         .classes = pairs(),
+         .twin = [=](const sample& s) { return vec4(within_far_plane(s.x[0].x, no_far_plane) ? 1.0f : 0.0f); },
+         .call = "vec4(umbrage_within_far_plane(x0.x) ? 1.0 : 0.0)",
+         .map_kind = {.compare = "float(receiver < stored)"}});
     all.push_back({.primitive = &glsl::compare,
                    .classes = pairs(),
                    .twin = [](const sample& s) { return vec4(umbrage::compare(s.x[0].x, s.x[0].y)); },

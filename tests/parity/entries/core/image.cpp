@@ -38,6 +38,15 @@ void add_core_image(std::vector<entry>& all) {
              .call = "umbrage_fetch_bordered(map, map_size, vec2(x0.x, x0.y), vec4(0.25, 0.5, 2.0, 1.0))",
              .maps = maps});
     }
+    all.push_back(
+        {.primitive = &glsl::texel,
+         .variant = "region",
+         .classes = whole_texels(),
+         .twin =
+             [](const sample& s) { return vec4(texel(s.map, glm::clamp(texel_of(s), ivec2(0), s.map.size - 1)).x); },
+         .call = "vec4(umbrage_texel(map, map_size, clamp(vec2(x0.x, x0.y), vec2(0.0, 0.0), map_size - 1.0)).x)",
+         .maps = depth_maps(),
+         .bound = {{.name = "map", .as = {.origin = "vec2(5.0, 3.0)", .texture_size = "(size + vec2(9.0, 7.0))"}}}});
     all.push_back({.primitive = &glsl::inside_map,
                    .classes = whole_texels(),
                    .twin = [](const sample& s) { return vec4(inside_map(s.map.size, texel_of(s)) ? 1.0f : 0.0f); },

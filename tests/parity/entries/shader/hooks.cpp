@@ -141,6 +141,30 @@ void add_packed(std::vector<entry>& all) {
         }
 }
 
+/// Strictly less, in place of less_equal; it has no far plane.
+struct less {
+    bool operator()(float receiver, float stored) const { return receiver < stored; }
+};
+
+/// Depths of a texel's number too, as on a receiver's plane, and a comparison of one's own.
+void add_own(std::vector<entry>& all) {
+    for (const auto outside : {outside_map::clamped, outside_map::bordered}) {
+        const binding as{
+            .outside = outside, .depth = "value.x + texel.x * 0.015625", .compare = "float(receiver < stored)"};
+        entry e =
+            bound("own depth and comparison", as, plain_maps({{64, 64}, {37, 21}, {1, 1}}), [](vec4) { return 0.0f; });
+        e.twin = [as](const sample& s) {
+            const bool border = glsl::detail::is_bordered(as);
+            const auto depth = [border, map = s.map](ivec2 texel) {
+                const float moved = fetch_clamped(map, texel).x + static_cast<float>(texel.x) * 0.015625f;
+                return border && !inside_map(map.size, texel) ? 1.0f : moved;
+            };
+            return twins(as, depth, s, s.x[0].z, less{});
+        };
+        all.push_back(std::move(e));
+    }
+}
+
 /// Packed maps that are compared without decoding.
 void add_levels(std::vector<entry>& all) {
     for (const bool gather : {false, true})
@@ -238,8 +262,7 @@ void expect_all(const std::vector<entry>& all) {
         for (const snippet* need : s.needs) self(self, *need, as);
     };
     for (const entry& e : all)
-        for (const glsl::bound& item : e.items())
-            if (!item.by_macros) look(look, item.what, item.map);
+        for (const glsl::bound& item : e.items()) look(look, item.what, item.map);
     for (const snippet* s : glsl::hooks::all)
         if (!found.contains(s)) throw std::logic_error("no parity entry has " + s->source.str());
 }
@@ -249,6 +272,7 @@ void expect_all(const std::vector<entry>& all) {
 void add_shader_hooks(std::vector<entry>& all) {
     add_kinds(all);
     add_packed(all);
+    add_own(all);
     add_levels(all);
     add_short_depths(all);
     add_four_maps(all);

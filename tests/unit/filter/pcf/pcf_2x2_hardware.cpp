@@ -45,5 +45,5 @@ TEST_CASE("pcf_2x2_hardware: the sampler weighs where there is one, else we do")
     CHECK(text({.texture = texture::shadow}).find("textureLod(map, vec3(uv, receiver), 0.0)") != std::string::npos);
     CHECK(text({.texture = texture::shadow}).find("umbrage_pcf_2x2_sun(") == std::string::npos);
     CHECK(text({.texture = texture::array}).find("return umbrage_pcf_2x2_sun(map, layer, size, ") != std::string::npos);
-    CHECK(text({.texture = texture::shadow_array}).find("umbrage_border_depth_sun()") != std::string::npos);
+    CHECK(text({.texture = texture::shadow_array}).find("umbrage_compare_sun(receiver, 1.0)") != std::string::npos);
 }

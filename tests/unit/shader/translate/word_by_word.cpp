@@ -86,7 +86,7 @@ TEST_CASE("word_by_word: columns of a matrix") {
 
 TEST_CASE("word_by_word: what a map fills in stays") {
     CHECK(expression("UMBRAGE_TEXEL.x + UMBRAGE_DEPTH") == "UMBRAGE_TEXEL.x + UMBRAGE_DEPTH");
-    CHECK_THROWS_AS((void)expression("UMBRAGE_FETCH"), std::invalid_argument);
+    CHECK_THROWS_AS((void)expression("UMBRAGE_OTHER"), std::invalid_argument);
 }
 
 TEST_CASE("word_by_word: words that it does not know") {

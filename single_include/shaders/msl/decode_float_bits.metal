@@ -1,0 +1,40 @@
+// umbrage 0.1.0, decode_float_bits: four channels, R least significant, to the float they are. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of float_bits: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (0, 0, 128, 63) / 255, with
+//   reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_float_bits.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_FLOAT_BITS
+#define UMBRAGE_HAS_DECODE_FLOAT_BITS
+// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+inline float umbrage_decode_float_bits(float4 c) {
+    uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
+    uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
+    uint b = uint(umbrage_saturate(c.z) * 255.0 + 0.5);
+    uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
+    return as_type<float>(r | (g << 8) | (b << 16) | (a << 24));
+}
+#endif

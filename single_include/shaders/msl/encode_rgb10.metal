@@ -1,0 +1,43 @@
+// umbrage 0.1.0, encode_rgb10: depth to three 10-bit channels, R most significant. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of rgb10: RGB10_A2 UNORM, not sRGB, no blending, one sample. Clear to (1023, 1023, 960) / 1023, with
+//   reversed depth to (0, 0, 0) / 1023. Write umbrage_to_unorm10 of umbrage_encode_rgb10.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_RGB10
+#define UMBRAGE_HAS_ENCODE_RGB10
+// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
+// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
+//   depth   clamped to [0, 1], NaN counts as far
+inline float3 umbrage_encode_rgb10(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    float high = metal::floor(x * (1.0 / 16384.0));
+    float rest = x - high * 16384.0;
+    float middle = metal::floor(rest * (1.0 / 16.0));
+    float low = metal::min(rest - middle * 16.0, 15.0);  // below already: no sum is regrouped across the min
+    return float3(high, middle, low * 64.0);
+}
+#endif

@@ -1,0 +1,58 @@
+// umbrage 0.1.0, page_coordinate: a receiver in the page of an atlas that holds it. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_FROM_UNORM
+#define UMBRAGE_HAS_FROM_UNORM
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+inline float umbrage_from_unorm(float c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float2 umbrage_from_unorm(float2 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float3 umbrage_from_unorm(float3 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float4 umbrage_from_unorm(float4 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PAGE_COORDINATE
+#define UMBRAGE_HAS_PAGE_COORDINATE
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
+//   page, gutter  side of a page and what it has around it, texels
+inline float4 umbrage_page_coordinate(metal::texture2d<float> table, float2 size, float2 coord, float page,
+                                      float gutter) {
+    // not negative already; compilers cannot regroup sums across max and clamp
+    float2 sides = metal::max(size - 2.0, float2(1.0, 1.0));
+    float2 before = metal::max(size - 3.0, float2(0.0, 0.0));
+    float2 cell = metal::min(metal::max(float2(0.0, 0.0), coord * sides - before), size - 1.0);
+    int2 texel = int2(cell);  // of a NaN the first
+    float4 entry = umbrage_from_unorm(umbrage_texel(table, size, float2(texel)));
+    float2 slot = float2(entry.x, entry.y);
+    float across = entry.z + entry.w * 256.0;
+    float2 within = metal::clamp(metal::fract(coord * across), float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    return float4(at, slot * (page + gutter * 2.0));
+}
+#endif

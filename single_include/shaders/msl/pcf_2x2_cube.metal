@@ -1,0 +1,176 @@
+// umbrage 0.1.0, pcf_2x2_cube: 2 x 2 comparisons of a cube, over its edges too, bilinear weights. Exactness: tier C.
+// pcf_2x2_cube, tier C: within 33 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   compare    one comparison, in place of receiver <= stored
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_FACE
+#define UMBRAGE_HAS_CUBE_FACE
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+inline float umbrage_cube_face(float3 direction) {
+    float3 m = metal::abs(direction);
+    float x = direction.x < 0.0 ? 1.0 : 0.0;
+    float y = direction.y < 0.0 ? 3.0 : 2.0;
+    float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_PLANE
+#define UMBRAGE_HAS_CUBE_PLANE
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+inline float3 umbrage_cube_plane(float3 direction) {
+    float face = umbrage_cube_face(direction);
+    float3 x = float3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    float3 y = float3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    float3 z = float3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_POINT
+#define UMBRAGE_HAS_CUBE_POINT
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+inline float3 umbrage_cube_point(float face, float3 p) {
+    float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
+    float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
+    float3 z = face < 4.5 ? float3(p.x, -p.y, p.z) : float3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_NEIGHBOR
+#define UMBRAGE_HAS_CUBE_NEIGHBOR
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+inline float3 umbrage_cube_neighbor(float3 texel, float size) {
+    float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
+    bool beyond_u = metal::abs(uv.x) > size;
+    bool beyond_v = metal::abs(uv.y) > size;
+    float m = beyond_u || beyond_v ? size - 1.0 : size;
+    float3 p = umbrage_cube_plane(umbrage_cube_point(texel.z, float3(uv, m)));
+    float2 inside = (float2(p.x, p.y) + (size - 1.0)) * 0.5;
+    return beyond_u && beyond_v ? float3(0.0, 0.0, -1.0) : float3(inside, p.z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_TILE
+#define UMBRAGE_HAS_CUBE_TILE
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+inline float2 umbrage_cube_tile(float face, float size) {
+    float row = face < 2.5 ? 0.0 : 1.0;
+    return float2((face - row * 3.0) * size, row * size);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float4 value = umbrage_texel(map, size, inside);
+    float depth = value.x;
+    return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT
+#define UMBRAGE_HAS_LIT
+// umbrage_lit: visibility of one comparison with a texel
+inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_LIT
+#define UMBRAGE_HAS_CUBE_LIT
+// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
+//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+inline float2 umbrage_cube_lit(metal::texture2d<float> map, float2 size, float3 texel, float receiver) {
+    float side = size.y * 0.5;
+    float3 n = umbrage_cube_neighbor(texel, side);
+    float2 at = umbrage_cube_tile(n.z, side) + float2(n.x, n.y);
+    float lit = umbrage_lit(map, size, at, receiver);
+    return n.z < 0.0 ? float2(0.0, 0.0) : float2(lit, 1.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCF_2X2_CUBE
+#define UMBRAGE_HAS_PCF_2X2_CUBE
+// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
+//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
+//   receiver   distance from the light, biased
+inline float umbrage_pcf_2x2_cube(metal::texture2d<float> map, float2 size, float3 at, float receiver) {
+    float2 coord = float2(at.x, at.y);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 lo = 1.0 - hi;
+    float2 sum = umbrage_cube_lit(map, size, float3(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, float3(texel + float2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
+}
+#endif

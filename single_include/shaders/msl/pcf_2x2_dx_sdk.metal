@@ -1,0 +1,99 @@
+// umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 as the DirectX SDK sample, plain floats. Exactness: tier B.
+// pcf_2x2_dx_sdk, tier B: within 20 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_COMPARE_DX_SDK
+#define UMBRAGE_HAS_COMPARE_DX_SDK
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+inline float umbrage_compare_dx_sdk(float receiver, float stored, float epsilon) {
+    float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float4 value = umbrage_texel(map, size, inside);
+    float depth = value.x;
+    return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCF_2X2_DX_SDK
+#define UMBRAGE_HAS_PCF_2X2_DX_SDK
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+inline float umbrage_pcf_2x2_dx_sdk(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
+                                    float epsilon) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x);
+    float2 weight = x - texel;
+    float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    float right = umbrage_fetch_depth(map, size, texel + float2(1.0, 0.0));
+    float above = umbrage_fetch_depth(map, size, texel + float2(0.0, 1.0));
+    float beyond = umbrage_fetch_depth(map, size, texel + float2(1.0, 1.0));
+    float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
+    float low = a + weight.x * (b - a);
+    float high = c + weight.x * (d - c);
+    float visibility = low + weight.y * (high - low);
+    return compared ? visibility : 1.0;
+}
+#endif

@@ -1,0 +1,252 @@
+// umbrage 0.1.0, pcss_hardware16_shadow: percentage-closer soft shadows (PCSS) at 16 points, one texture bound to two
+//   samplers. Exactness: tier C.
+// pcss_radius, tier C: within 1/1024 of C++.
+// blockers_hardware16_depths, tier C: within 24 x 2^-23 x S of the exact result.
+// disc_hardware16_shadow, tier C: within 1/128 of C++.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `depth2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
+// Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
+//   depth to 0.0.
+// Map: `depth2d<float> map, sampler map_sampler`, a depth texture. Its sampler passes receiver <= depth, clamps to
+//   the edge and filters linearly.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   depth      depth of a texel's value, in place of .x: for packed depths
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   compare    one comparison, in place of receiver <= stored
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_ROTATION
+#define UMBRAGE_HAS_DISC_ROTATION
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+inline float2 umbrage_disc_rotation(float2 pixel) {
+    float2 whole = umbrage_inside_texel_space(pixel) ? metal::floor(pixel) : float2(0.0, 0.0);
+    float v = whole.x * 4.0 + whole.y;
+    v = v - metal::floor(v * (1.0 / 16.0)) * 16.0;
+    float quarter = metal::floor(v * 0.25);
+    float base = v - quarter * 4.0;
+    float2 low = base < 0.5 ? float2(64.0, 0.0) : float2(59.0, 24.0);
+    float2 high = base < 2.5 ? float2(45.0, 45.0) : float2(24.0, 59.0);
+    float2 first = base < 1.5 ? low : high;
+    float2 once = quarter < 0.5 ? first : float2(0.0 - first.y, first.x);
+    float2 twice = quarter < 2.5 ? float2(0.0 - first.x, 0.0 - first.y) : float2(first.y, 0.0 - first.x);
+    return quarter < 1.5 ? once : twice;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCSS_RADIUS
+#define UMBRAGE_HAS_PCSS_RADIUS
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    float min_radius = softness.y * 0.0625;
+    return radius > min_radius ? metal::min(radius, softness.z * 0.0625) : min_radius;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_DEPTHS
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_DEPTHS
+// umbrage_beyond_far_plane_depths: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane_depths(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_DEPTHS
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_DEPTHS
+// umbrage_in_filter_domain_depths: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain_depths(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_plane_depths(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL_DEPTHS
+#define UMBRAGE_HAS_TEXEL_DEPTHS
+// umbrage_texel_depths: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+inline float4 umbrage_texel_depths(metal::depth2d<float> map, float2 size, float2 texel) {
+    return float4(map.read(uint2(texel)));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
+#define UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
+// umbrage_fetch_depth_depths: stored depth of a texel, outside the map that of the far plane
+inline float umbrage_fetch_depth_depths(metal::depth2d<float> map, float2 size, float2 texel) {
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float4 value = umbrage_texel_depths(map, size, inside);
+    float depth = value.x;
+    return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DEPTH_AT_DEPTHS
+#define UMBRAGE_HAS_DEPTH_AT_DEPTHS
+// umbrage_depth_at_depths: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_depth_at_depths(metal::depth2d<float> map, float2 size, float2 uv) {
+    return umbrage_fetch_depth_depths(map, size, metal::floor(uv * size));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE_DEPTHS
+#define UMBRAGE_HAS_COMPARE_DEPTHS
+// umbrage_compare_depths: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare_depths(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER_AT_DEPTHS
+#define UMBRAGE_HAS_BLOCKER_AT_DEPTHS
+// umbrage_blocker_at_depths: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float2 umbrage_blocker_at_depths(metal::depth2d<float> map, float2 size, float2 uv, float receiver) {
+    float stored = umbrage_depth_at_depths(map, size, uv);
+    return umbrage_compare_depths(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, stored);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
+#define UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
+// umbrage_blockers_hardware16_depths: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+inline float2 umbrage_blockers_hardware16_depths(metal::depth2d<float> map, float2 size, float2 coord, float receiver,
+                                                 float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain_depths(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at_depths(map, size, center + x * 14.0 - y * 2.0, receiver);
+    return compared ? n : float2(0.0, 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane_shadow(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_within_far_plane_shadow(float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE_SHADOW
+#define UMBRAGE_HAS_COMPARE_SHADOW
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare_shadow(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_AT_SHADOW
+#define UMBRAGE_HAS_LIT_AT_SHADOW
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+inline float umbrage_lit_at_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 uv,
+                                   float receiver) {
+    float lit = map.sample_compare(map_sampler, uv, receiver, metal::level(0.0));
+    float outside = umbrage_compare_shadow(receiver, 1.0);
+    float2 inside = metal::clamp((0.5 - metal::abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+#define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+// umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+inline float umbrage_disc_hardware16_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size,
+                                            float2 coord, float receiver, float radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
+    float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = rotation * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float n = 0.0;
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, receiver);
+    float visibility = umbrage_within_far_plane_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
+    return compared ? visibility : 1.0;
+}
+#endif

@@ -1,0 +1,186 @@
+// umbrage 0.1.0, summed_moments: moment shadow over a box of any size, from a summed-area table. Exactness: tier C.
+// summed_moments, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
+#define UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+inline float4 umbrage_from_optimized_moments(float4 o) {
+    float x = o.x - 0.5;
+    float z = o.z - 0.5;
+    float eighth = o.y * 0.125;
+    float b1 = z * 1.73205078 - x * 0.333333343;
+    float b2 = o.w + eighth;
+    float b3 = z * 1.29903817 - x * 0.75;
+    float b4 = o.w - eighth;
+    return float4(b1, b2, b3, b4);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BIAS_MOMENTS
+#define UMBRAGE_HAS_BIAS_MOMENTS
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+inline float4 umbrage_bias_moments(float4 b, float2 bias) {
+    float x = b.x - b.x * bias.x;
+    float y = b.y + (bias.y - b.y) * bias.x;
+    float z = b.z - b.z * bias.x;
+    float w = b.w + (bias.y - b.w) * bias.x;
+    return float4(x, y, z, w);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MOMENT_ATOMS
+#define UMBRAGE_HAS_MOMENT_ATOMS
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+inline float4 umbrage_moment_atoms(float4 b, float x) {
+    float d = b.y - b.x * b.x;
+    float third = b.z - b.x * b.y;
+    float l = third / d;
+    float e = (b.w - b.y * b.y) - third * l;
+    float h = b.x * 2.0 - l;
+    float a = d * ((x + h) * x - d);
+    float m = x * e + h * a;
+    float c = d * (e - a);
+    float square = m * m - 4.0 * a * c;
+    float root = metal::sqrt(square > 0.0 ? square : 0.0);
+    float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    float2 t = float2(w / a, c / w);
+    float2 q = (t + h) * t - d;
+    float least = d * e;
+    float2 sum = least + (t * t * e + q * q * d);
+    return float4(t.x, t.y, least / sum.x, least / sum.y);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MAP_COVERS
+#define UMBRAGE_HAS_MAP_COVERS
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+inline bool umbrage_map_covers(float2 size, float2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BOX_MEAN
+#define UMBRAGE_HAS_BOX_MEAN
+// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
+//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+inline float4 umbrage_box_mean(metal::texture2d<float> map, float2 size, float2 first, float2 end) {
+    float right = size.x * 0.5;
+    float4 a = umbrage_texel(map, size, end);
+    float4 b = umbrage_texel(map, size, float2(first.x, end.y));
+    float4 c = umbrage_texel(map, size, float2(end.x, first.y));
+    float4 d = umbrage_texel(map, size, first);
+    float4 low = (a - b) - (c - d);
+    float4 carry = metal::floor(low * (1.0 / 65536.0));
+    a = umbrage_texel(map, size, float2(right + end.x, end.y));
+    b = umbrage_texel(map, size, float2(right + first.x, end.y));
+    c = umbrage_texel(map, size, float2(right + end.x, first.y));
+    d = umbrage_texel(map, size, float2(right + first.x, first.y));
+    float4 above = (a - b) - (c - d) + carry;
+    float4 high = above - metal::floor(above * (1.0 / 65536.0)) * 65536.0;
+    float4 sum = high * 65536.0 + (low - carry * 65536.0);
+    float2 sides = end - first;
+    return sum / (sides.x * sides.y);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
+#define UMBRAGE_HAS_TO_FORWARD_DEPTH
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_to_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_MSM
+#define UMBRAGE_HAS_DECODE_MSM
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
+    float d = umbrage_to_forward_depth(receiver);
+    float4 m = umbrage_bias_moments(b, bias);
+    float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    float4 atoms = umbrage_moment_atoms(m, x);
+    float first = atoms.x < x ? atoms.z : 0.0;
+    float second = atoms.y < x ? atoms.w : 0.0;
+    float lit = 1.0 - (first + second);
+    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SUMMED_MOMENTS
+#define UMBRAGE_HAS_SUMMED_MOMENTS
+// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+inline float umbrage_summed_moments(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
+                                    float radius, float2 bias) {
+    float2 last = float2(size.x * 0.5, size.y) - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    float2 texel = compared ? metal::clamp(metal::floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
+    float2 first = metal::max(texel - radius, float2(0.0, 0.0));
+    float2 end = metal::min(texel + radius + 1.0, last);
+    float4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
+    float lit = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
+    return compared ? lit : 1.0;
+}
+#endif

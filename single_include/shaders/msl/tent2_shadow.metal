@@ -1,0 +1,110 @@
+// umbrage 0.1.0, tent2_shadow: sliding window 1 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `depth2d<float> map, sampler map_sampler`, a depth texture. Its sampler passes receiver <= depth, clamps to
+//   the edge and filters nearest.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane_shadow(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_TEXEL_SHADOW
+#define UMBRAGE_HAS_LIT_TEXEL_SHADOW
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
+inline float umbrage_lit_texel_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 texel,
+                                      float receiver) {
+    float lit = map.sample_compare(map_sampler, (texel + 0.5) / size, receiver, metal::level(0.0));
+    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE_SHADOW
+#define UMBRAGE_HAS_COMPARE_SHADOW
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare_shadow(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_SHADOW
+#define UMBRAGE_HAS_LIT_SHADOW
+// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the far plane
+inline float umbrage_lit_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 texel,
+                                float receiver) {
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float lit = umbrage_lit_texel_shadow(map, map_sampler, size, inside, receiver);
+    float outside = umbrage_compare_shadow(receiver, 1.0);
+    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_2X2_SHADOW
+#define UMBRAGE_HAS_LIT_2X2_SHADOW
+// umbrage_lit_2x2_shadow: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+inline float4 umbrage_lit_2x2_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 texel,
+                                     float receiver) {
+    float a = umbrage_lit_shadow(map, map_sampler, size, texel, receiver);
+    float b = umbrage_lit_shadow(map, map_sampler, size, texel + float2(1.0, 0.0), receiver);
+    float c = umbrage_lit_shadow(map, map_sampler, size, texel + float2(0.0, 1.0), receiver);
+    float d = umbrage_lit_shadow(map, map_sampler, size, texel + float2(1.0, 1.0), receiver);
+    return float4(a, b, c, d);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TENT2_SHADOW
+#define UMBRAGE_HAS_TENT2_SHADOW
+// umbrage_tent2_shadow: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_tent2_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 coord,
+                                  float receiver) {
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    float2 s = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
+    float2 r = 256.0 - s;
+    float2 w0 = r * 8.0;
+    float2 w2 = s * 8.0;
+    float2 w1 = metal::max(4096.0 - w0 - w2, float2(0.0, 0.0));
+    float4 a = umbrage_lit_2x2_shadow(map, map_sampler, size, texel - 1.0, receiver);
+    float4 b = umbrage_lit_2x2_shadow(map, map_sampler, size, texel + float2(1.0, -1.0), receiver);
+    float4 c = umbrage_lit_2x2_shadow(map, map_sampler, size, texel + float2(-1.0, 1.0), receiver);
+    float4 d = umbrage_lit_2x2_shadow(map, map_sampler, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+#endif

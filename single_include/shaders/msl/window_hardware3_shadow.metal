@@ -1,0 +1,104 @@
+// umbrage 0.1.0, window_hardware3_shadow: window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter.
+//   Exactness: tier C.
+// window_hardware3_shadow, tier C: within 1/128 of C++.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `depth2d<float> map, sampler map_sampler`, a depth texture. Its sampler passes receiver <= depth, clamps to
+//   the edge and filters linearly.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
+// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far_plane_shadow(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+#define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
+// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+inline bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+#define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
+// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_within_far_plane_shadow(float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE_SHADOW
+#define UMBRAGE_HAS_COMPARE_SHADOW
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare_shadow(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_AT_SHADOW
+#define UMBRAGE_HAS_LIT_AT_SHADOW
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+inline float umbrage_lit_at_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 uv,
+                                   float receiver) {
+    float lit = map.sample_compare(map_sampler, uv, receiver, metal::level(0.0));
+    float outside = umbrage_compare_shadow(receiver, 1.0);
+    float2 inside = metal::clamp((0.5 - metal::abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WINDOW_HARDWARE3_SHADOW
+#define UMBRAGE_HAS_WINDOW_HARDWARE3_SHADOW
+// umbrage_window_hardware3_shadow: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
+inline float umbrage_window_hardware3_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size,
+                                             float2 coord, float receiver, float k0, float k1) {
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
+    float2 texel = metal::floor(x);
+    float2 s = x - texel;
+    float whole = k0 + k1 + k0;
+    float2 b0 = k1 + s * (k0 - k1);
+    float2 w0 = k0 + k1 - s * k1;
+    float2 p0 = (texel - 0.5 + b0 / w0) / size;
+    float2 b1 = s * k0;
+    float2 w1 = k0 + s * k1;
+    float2 p1 = (texel + 1.5 + b1 / w1) / size;
+    float n = 0.0;
+    float row = 0.0;
+    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p1.y), receiver);
+    n += w1.y * row;
+    float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_within_far_plane_shadow(receiver) ? share : 0.0;
+    return compared ? visibility : 1.0;
+}
+#endif

@@ -1,0 +1,47 @@
+// umbrage 0.1.0, write_threejs_rgba: depth to three.js RGBA, r167 and later. Exactness: tier B.
+// write_threejs_rgba, tier B: within 5 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Render target of threejs_rgba: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255, 255) / 255,
+//   with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_write_threejs_rgba.
+// For other maps, bind() of the library or of its npm package prints this text, with
+//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WRITE_THREEJS_RGBA
+#define UMBRAGE_HAS_WRITE_THREEJS_RGBA
+// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+inline float4 umbrage_write_threejs_rgba(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 16777216.0;
+    float whole = metal::floor(x);
+    float high = metal::floor(whole * (1.0 / 65536.0));
+    float rest = whole - high * 65536.0;
+    float middle = metal::floor(rest * (1.0 / 256.0));
+    float low = rest - middle * 256.0;
+    float4 c = float4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    return v < 1.0 ? c : float4(1.0, 1.0, 1.0, 1.0);
+}
+#endif
