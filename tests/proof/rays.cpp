@@ -18,6 +18,7 @@ TEST_CASE("a light fitted, drawn and looked up agrees with rays, away from edges
         CAPTURE(n);
         CAPTURE(scene.kind());
         CHECK(found.wrong == 0);
+        CHECK(found.by_shadow == 0);
         CHECK(found.outside == 0);
     }
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {

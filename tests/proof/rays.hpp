@@ -29,6 +29,7 @@
 #include <umbrage/light/warp/perspective.hpp>
 #include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
+#include <umbrage/shadow/shadow.hpp>
 
 #include "few_triangles.hpp"
 #include "light_kinds.hpp"
@@ -39,10 +40,11 @@ namespace proof {
 /// What look-ups found, of the receivers at which rays tell.
 struct verdicts {
     std::uint64_t lit = 0, shadowed = 0, wrong = 0;
-    std::uint64_t outside = 0;  ///< receivers that the fit left out
+    std::uint64_t outside = 0;    ///< receivers that the fit left out
+    std::uint64_t by_shadow = 0;  ///< wrong, of umbrage::shadow with its own bias
 
     verdicts& operator+=(const verdicts& o) {
-        lit += o.lit, shadowed += o.shadowed, wrong += o.wrong, outside += o.outside;
+        lit += o.lit, shadowed += o.shadowed, wrong += o.wrong, outside += o.outside, by_shadow += o.by_shadow;
         return *this;
     }
 };
@@ -79,6 +81,7 @@ public:
                         serial{}, kind_.at_near);
         const depth32f encoding{.direction = clip_.direction};
         const auto fetch = clamped(map);
+        const shadow joined(light_, {map_size, map_size}, filter);
         verdicts found;
         for (int i = 0; i < points; ++i) {
             const auto own = std::uniform_int_distribution<std::size_t>(0, triangles_.size() - 1)(random_);
@@ -92,12 +95,15 @@ public:
                 continue;
             }
             if (!within(at.x, reach) || !within(at.y, reach) || is_near_edge(at, reach)) continue;
+            const float by_shadow =
+                acne_free_bias(slope(own), joined.uniforms().terms.reach, joined.uniforms().terms.error);
             const float bias =
                 acne_free_bias(slope(own), filter, encoding, rasterizer_snap<float> + 0x1p-10f) + rounding(p);
-            const std::optional<bool> is_lit = told_by_rays(p, own, bias, filter.reach());
+            const std::optional<bool> is_lit = told_by_rays(p, own, std::max(bias, by_shadow), filter.reach());
             if (!is_lit) continue;
             ++(*is_lit ? found.lit : found.shadowed);
             found.wrong += filter(fetch, glm::vec2(at), biased(at.z, bias, filter.is_lit)) != (*is_lit ? 1.0f : 0.0f);
+            found.by_shadow += joined(map, p, normal(own)) != (*is_lit ? 1.0f : 0.0f);
         }
         return found;
     }
@@ -170,9 +176,12 @@ protected:
         light_ = all[i].light, camera_.z_near = splits[i], camera_.z_far = splits[i + 1];
     }
 
-    [[nodiscard]] glm::vec2 slope(std::size_t k) const {
+    [[nodiscard]] glm::vec3 normal(std::size_t k) const {
         const auto [a, b, c] = corners(k);
-        return umbrage::plane_slope(planes_, glm::vec3(glm::cross(b - a, c - a)), glm::vec3(a));
+        return glm::vec3(glm::cross(b - a, c - a));
+    }
+    [[nodiscard]] glm::vec2 slope(std::size_t k) const {
+        return umbrage::plane_slope(planes_, normal(k), glm::vec3(corners(k)[0]));
     }
 
     [[nodiscard]] umbrage::frustum<float> cone() const {
