@@ -20400,8 +20400,8 @@ template <class = umbrage::detail::on_use>
 // ---- umbrage/shader/interface.hpp
 // What a shader declares for a shadow: its uniform block, its map, and a function of world and normal alone.
 //
-// A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks: there
-// it is an array of vec4, glUniform4fv takes the same bytes.
+// A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks:
+// there it is an array of vec4, and glUniform4fv takes the same bytes.
 
 namespace umbrage {
 
@@ -20415,8 +20415,8 @@ struct uniform_field {
 
 namespace glsl {
 
-/// The numbers that an API binds by. Languages take those they have: OpenGL from 420 and 310 es on the bindings of block
-/// and texture, Vulkan and WGSL the set too, HLSL registers b, t, s and a space; Metal has arguments instead.
+/// The numbers that an API binds by. Languages take those they have: OpenGL from 430 and 310 es on the bindings of
+/// block and texture, Vulkan and WGSL the set too, HLSL registers b, t, s and a space; Metal has arguments instead.
 struct shader_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;
 };
@@ -23813,8 +23813,8 @@ public:
     /// @param map_size   of one map, texels, each >= 1
     /// @param filter     one of filters::; the direction of depth is the light's
     /// @param encoding   how the map's texels hold depth; its direction is the light's
-    /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or below twice the filter's
-    ///                                reach; what the set-up complains of
+    /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or less than twice the
+    ///                                filter's reach; what the set-up complains of
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {

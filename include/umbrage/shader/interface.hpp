@@ -2,8 +2,8 @@
 //
 // What a shader declares for a shadow: its uniform block, its map, and a function of world and normal alone.
 //
-// A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks: there
-// it is an array of vec4, glUniform4fv takes the same bytes.
+// A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks:
+// there it is an array of vec4, and glUniform4fv takes the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +28,8 @@ struct uniform_field {
 
 namespace glsl {
 
-/// The numbers that an API binds by. Languages take those they have: OpenGL from 420 and 310 es on the bindings of block
-/// and texture, Vulkan and WGSL the set too, HLSL registers b, t, s and a space; Metal has arguments instead.
+/// The numbers that an API binds by. Languages take those they have: OpenGL from 430 and 310 es on the bindings of
+/// block and texture, Vulkan and WGSL the set too, HLSL registers b, t, s and a space; Metal has arguments instead.
 struct shader_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;
 };

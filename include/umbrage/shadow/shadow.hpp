@@ -81,8 +81,8 @@ public:
     /// @param map_size   of one map, texels, each >= 1
     /// @param filter     one of filters::; the direction of depth is the light's
     /// @param encoding   how the map's texels hold depth; its direction is the light's
-    /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or below twice the filter's
-    ///                                reach; what the set-up complains of
+    /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or less than twice the
+    ///                                filter's reach; what the set-up complains of
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
