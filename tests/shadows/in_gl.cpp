@@ -66,9 +66,10 @@ GLuint upload(const texture_data& t) {
     GLuint id = 0;
     glGenTextures(1, &id);
     glBindTexture(t.kind, id);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(t.kind, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(t.kind, wrap, GL_CLAMP_TO_EDGE);
+    for (const auto filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(t.kind, GLenum(filter), GL_NEAREST);
+    for (const auto wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(t.kind, GLenum(wrap), GL_CLAMP_TO_EDGE);
     if (t.compares) glTexParameteri(t.kind, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     if (t.kind == GL_TEXTURE_2D_ARRAY)
         glTexImage3D(t.kind, 0, t.internal, t.size.x, t.size.y, t.size.z, 0, t.format, t.type, t.texels);
