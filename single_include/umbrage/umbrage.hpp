@@ -250,7 +250,7 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
     return "";
 }
 
-/// What of a snippet is a map's own affair. The text of such a snippet is that of a plain map, a 2D texture of depths;
+/// Part that a map decides for itself. Such a snippet's own text is that of a plain map, a 2D texture of depths;
 /// bind() puts another in its place for other maps.
 enum class hook {
     none,
@@ -20035,9 +20035,9 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 }  // namespace umbrage::glsl::hooks
 
 // ---- umbrage/shader/hooks.hpp
-// What a map can be, as functions: bind() puts these in place of a hook's own text, which is that of a plain map. Words
-// that a map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture;
-// UMBRAGE_DEPTH, the depth of a `value`; UMBRAGE_BORDER, the depth outside; UMBRAGE_COMPARE, one's own comparison;
+// Functions for each kind of map. bind() puts one in place of a hook's own text, which is that of a plain map.
+// Words that a map fills in: UMBRAGE_MAP map, its parameters; UMBRAGE_ORIGIN, its first texel in the texture;
+// UMBRAGE_DEPTH, the depth of a `value`; UMBRAGE_BORDER, the depth outside; UMBRAGE_COMPARE, a user's own comparison;
 // UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
 //
 
@@ -20249,7 +20249,7 @@ namespace umbrage::glsl::detail {
     const bool tile = has_region(b) || is_cube(b.texture);
     return b.outside.value_or(tile ? outside_map::clamped : outside_map::bordered) == outside_map::bordered;
 }
-/// Whether the map's depths are on a scale of their own.
+/// Tells whether the map's depths have a scale of their own, on which 1 is not the far plane.
 [[nodiscard]] inline bool is_scaled(const binding& b) {
     for (const snippet& need : b.needs)
         if (need.scaled) return true;
@@ -20258,7 +20258,7 @@ namespace umbrage::glsl::detail {
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
 
-/// Whether receivers can be beyond the map's far plane; a comparison of one's own says itself what it does with them.
+/// Tells whether receivers can lie beyond the map's far plane. A user's own comparison handles them itself.
 [[nodiscard]] inline bool has_far_plane(const binding& b) { return b.compare.empty() && !is_scaled(b); }
 
 /// The function that a map has in place of a hook's own text; other snippets as they are.
@@ -20398,7 +20398,7 @@ template <class = umbrage::detail::on_use>
 }  // namespace umbrage::glsl::detail
 
 // ---- umbrage/shader/interface.hpp
-// What a shader declares for a shadow: its uniform block, its map, and a function of world and normal alone.
+// Declarations of a shadow in a shader: its uniform block, its map, and a function of world and normal alone.
 //
 // A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks:
 // there it is an array of vec4, and glUniform4fv takes the same bytes.
@@ -20767,7 +20767,7 @@ template <class = umbrage::detail::on_use>
     return names;
 }
 
-/// What stands for a map in declarations: the binding's own parameters, or the kind's, with a sampler to gather by.
+/// Parameters that declare a map: the binding's own, or those of its kind of texture, with a sampler for gathers.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string parameters_of(const binding& map, const texture_words& words) {
     if (!map.parameters.empty()) return map.parameters;
@@ -20920,7 +20920,7 @@ public:
         return std::move(text_);
     }
 
-    /// Those of its parts that are not exact.
+    /// Parts of the text that are below tier A, each with its own bound.
     [[nodiscard]] std::vector<snippet> inexact() && {
         std::vector<snippet> all;
         for_each([&](const snippet& s, const bound&, const std::string&) {
@@ -20997,7 +20997,7 @@ private:
         done_.push_back({i.name, {}, {}});
     }
 
-    /// Whether functions of the map's own stem from the item.
+    /// Tells whether the item prints functions that belong to its map.
     [[nodiscard]] static bool has_map(const bound& item) {
         for (const snippet& need : item.map.needs)
             if (is_of_map(need)) return true;

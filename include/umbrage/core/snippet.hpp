@@ -53,7 +53,7 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
     return "";
 }
 
-/// What of a snippet is a map's own affair. The text of such a snippet is that of a plain map, a 2D texture of depths;
+/// Part that a map decides for itself. Such a snippet's own text is that of a plain map, a 2D texture of depths;
 /// bind() puts another in its place for other maps.
 enum class hook {
     none,

@@ -19,7 +19,7 @@ namespace umbrage::glsl::detail {
     const bool tile = has_region(b) || is_cube(b.texture);
     return b.outside.value_or(tile ? outside_map::clamped : outside_map::bordered) == outside_map::bordered;
 }
-/// Whether the map's depths are on a scale of their own.
+/// Tells whether the map's depths have a scale of their own, on which 1 is not the far plane.
 [[nodiscard]] inline bool is_scaled(const binding& b) {
     for (const snippet& need : b.needs)
         if (need.scaled) return true;
@@ -28,7 +28,7 @@ namespace umbrage::glsl::detail {
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
 
-/// Whether receivers can be beyond the map's far plane; a comparison of one's own says itself what it does with them.
+/// Tells whether receivers can lie beyond the map's far plane. A user's own comparison handles them itself.
 [[nodiscard]] inline bool has_far_plane(const binding& b) { return b.compare.empty() && !is_scaled(b); }
 
 /// The function that a map has in place of a hook's own text; other snippets as they are.

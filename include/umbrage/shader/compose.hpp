@@ -58,7 +58,7 @@ public:
         return std::move(text_);
     }
 
-    /// Those of its parts that are not exact.
+    /// Parts of the text that are below tier A, each with its own bound.
     [[nodiscard]] std::vector<snippet> inexact() && {
         std::vector<snippet> all;
         for_each([&](const snippet& s, const bound&, const std::string&) {
@@ -135,7 +135,7 @@ private:
         done_.push_back({i.name, {}, {}});
     }
 
-    /// Whether functions of the map's own stem from the item.
+    /// Tells whether the item prints functions that belong to its map.
     [[nodiscard]] static bool has_map(const bound& item) {
         for (const snippet& need : item.map.needs)
             if (is_of_map(need)) return true;

@@ -73,7 +73,7 @@ template <class = umbrage::detail::on_use>
     return names;
 }
 
-/// What stands for a map in declarations: the binding's own parameters, or the kind's, with a sampler to gather by.
+/// Parameters that declare a map: the binding's own, or those of its kind of texture, with a sampler for gathers.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string parameters_of(const binding& map, const texture_words& words) {
     if (!map.parameters.empty()) return map.parameters;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a map can be, as functions: bind() puts these in place of a hook's own text, which is that of a plain map. Words
-// that a map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture;
-// UMBRAGE_DEPTH, the depth of a `value`; UMBRAGE_BORDER, the depth outside; UMBRAGE_COMPARE, one's own comparison;
+// Functions for each kind of map. bind() puts one in place of a hook's own text, which is that of a plain map.
+// Words that a map fills in: UMBRAGE_MAP map, its parameters; UMBRAGE_ORIGIN, its first texel in the texture;
+// UMBRAGE_DEPTH, the depth of a `value`; UMBRAGE_BORDER, the depth outside; UMBRAGE_COMPARE, a user's own comparison;
 // UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
 //
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a shader declares for a shadow: its uniform block, its map, and a function of world and normal alone.
+// Declarations of a shadow in a shader: its uniform block, its map, and a function of world and normal alone.
 //
 // A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks:
 // there it is an array of vec4, and glUniform4fv takes the same bytes.
