@@ -35,6 +35,12 @@ std::vector<value_class> special_values() {
         {"infinity", [](auto i, random&) { return infinity(i); }}};
 }
 
+std::vector<value_class> large_values() {
+    auto kinds = special_values();
+    std::erase_if(kinds, [](const value_class& k) { return k.name == "denormal" || k.name == "smallest normal"; });
+    return kinds;
+}
+
 std::vector<value_class> depth_values(int bits) {
     auto kinds = special_values();
     kinds.push_back({"any bits", [](auto, random& r) { return any_bits(r); }});

@@ -23,6 +23,9 @@ struct range {
 /// zero, one, out of range, denormal, smallest normal, NaN, infinity: what every primitive must stand.
 [[nodiscard]] std::vector<value_class> special_values();
 
+/// special_values without denormals and the smallest normal, whose products hardware may take for 0.
+[[nodiscard]] std::vector<value_class> large_values();
+
 /// special_values, every bit pattern, and the edges of a code of `bits` bits with the floats beside them.
 [[nodiscard]] std::vector<value_class> depth_values(int bits = 11);
 

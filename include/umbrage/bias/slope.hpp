@@ -83,7 +83,7 @@ template <real T>
 /// @param scale    of the cascade
 /// @return         slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on, and for NaN
 /// @formula        -normal.xy scale.z / (normal.z scale.xy)
-/// @exactness      C, n = 6: a division
+/// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
     if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};

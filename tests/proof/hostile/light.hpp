@@ -29,6 +29,8 @@ void each_of_light(const Run& run, const Fetch& fetch) {
     run("cube_view_z", 1, direction, [](glm::vec3 d) { return passed_on(cube_view_z(d)); });
     run("cube_plane", 1, direction, [](glm::vec3 d) { return passed_on(cube_plane(d)); });
     run("cube_point", 1, direction, [](glm::vec3 d) { return passed_on(cube_point(float(cube_face(d)), d)); });
+    run("cube_face_point", 1, direction,
+        [](glm::vec3 d) { return passed_on(cube_face_point(float(cube_face(d)), d)); });
     const auto cube_texel = [](source& s) {
         const int size = 1 << s.below(12);
         const int u = int(s.below(std::uint32_t(size) + 2)) - 1, v = int(s.below(std::uint32_t(size) + 2)) - 1;

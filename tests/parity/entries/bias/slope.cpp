@@ -25,14 +25,16 @@ void add_bias_slope(std::vector<entry>& all) {
              },
          .call = "vec4(umbrage_plane_slope(mat4(x2, x3, x4, x5), vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), "
                  "0.0, 0.0)"});
-    auto normals = spread(normal_point_matrix, special);
-    normals.push_back({"no normal", [spread = normals[0].fill](std::uint64_t i, random& r, sample& s) {
-                           spread(i, r, s);
-                           s.x[0].x = s.x[0].y = s.x[0].z = 0.0f;
-                       }});
+    const auto with_no_normal = [](std::vector<input_class> classes) {
+        classes.push_back({"no normal", [spread = classes[0].fill](std::uint64_t i, random& r, sample& s) {
+                               spread(i, r, s);
+                               s.x[0].x = s.x[0].y = s.x[0].z = 0.0f;
+                           }});
+        return classes;
+    };
     all.push_back(
         {.primitive = &glsl::receiver_slope,
-         .classes = normals,
+         .classes = with_no_normal(spread(normal_point_matrix, special)),
          .twin =
              [](const sample& s) {
                  const glm::mat4 planes(s.x[2], s.x[3], s.x[4], s.x[5]);
@@ -41,7 +43,7 @@ void add_bias_slope(std::vector<entry>& all) {
          .call = "vec4(umbrage_receiver_slope(mat4(x2, x3, x4, x5), vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), "
                  "0.0, 0.0)"});
     all.push_back({.primitive = &glsl::cascade_slope,
-                   .classes = normals,
+                   .classes = with_no_normal(spread(std::vector<range>(8, range{-2.0f, 2.0f}), large_values())),
                    .twin = [](const sample& s) { return vec4(cascade_slope(vec3(s.x[0]), s.x[1]), 0.0f, 0.0f); },
                    .call = "vec4(umbrage_cascade_slope(vec3(x0.x, x0.y, x0.z), x1), 0.0, 0.0)"});
     all.push_back({.primitive = &glsl::slope_bias,

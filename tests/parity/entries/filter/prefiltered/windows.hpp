@@ -44,13 +44,6 @@ template <class Encode>
     return classes;
 }
 
-/// The arguments' special values; without those that are small, whose products hardware may take for 0.
-[[nodiscard]] inline std::vector<value_class> large_values() {
-    auto kinds = special_values();
-    std::erase_if(kinds, [](const value_class& k) { return k.name == "denormal" || k.name == "smallest normal"; });
-    return kinds;
-}
-
 /// NaN and infinities. Numbers that are no depths' moments have shares with poles, beside which rounding decides
 /// between 0 and 1: of 2^20 of them softpipe, whose division rounds otherwise, differed in one or two.
 [[nodiscard]] inline std::vector<value_class> values_of_moments() {
