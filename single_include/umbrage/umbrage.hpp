@@ -55,7 +55,6 @@
 #include <glm/vector_relational.hpp>
 #include <initializer_list>
 #include <limits>
-#include <memory>
 #include <new>
 #include <numbers>
 #include <optional>
@@ -2272,7 +2271,7 @@ template <real T>
 /// @param scale    of the cascade
 /// @return         slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on, and for NaN
 /// @formula        -normal.xy scale.z / (normal.z scale.xy)
-/// @exactness      C, n = 6: a division
+/// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
     if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
@@ -20679,13 +20678,45 @@ void check(const snippet& what, std::string_view name, const binding& map) {
 
 }  // namespace detail
 
+/// A text made where it is bound, and what it calls.
+struct own_text {
+    std::string name, source;
+    std::vector<const snippet*> needs{};
+};
+
+namespace detail {
+
+/// Own texts as snippets, of which each may call those before it; they last as long as the texts and this.
+class own_snippets {
+public:
+    template <class = umbrage::detail::on_use>
+    explicit own_snippets(const std::vector<own_text>& texts) : needs_(texts.size()) {
+        all_.reserve(texts.size());  // which are pointed to
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            needs_[i] = texts[i].needs;
+            for (const snippet& before : all_) needs_[i].push_back(&before);
+            all_.push_back({.name = texts[i].name, .needs = needs_[i], .source = texts[i].source.c_str()});
+        }
+    }
+    own_snippets(const own_snippets&) = delete;
+
+    [[nodiscard]] auto begin() const { return all_.begin(); }
+    [[nodiscard]] auto end() const { return all_.end(); }
+
+private:
+    std::vector<std::vector<const snippet*>> needs_;
+    std::vector<snippet> all_;
+};
+
+}  // namespace detail
+
 /// A snippet and the map that it is for; a snippet alone is bind(snippet, "", {}), for a 2D texture of depths.
 struct bound {
     snippet what;
     std::string suffix{};
     binding map{};
-    std::shared_ptr<const shader_interface> declared{};  ///< of a shadow: what the text declares for it,
-    std::shared_ptr<const void> texts{};                 ///< and what keeps its snippets alive
+    std::optional<shader_interface> declared{};  ///< of a shadow: what the text declares for it,
+    std::vector<own_text> texts{};               ///< and its functions; `what` only names it
 
     template <class = umbrage::detail::on_use>
     bound(const snippet& s) : what(s) {}
@@ -20954,7 +20985,9 @@ private:
             for (const bound& item : items_) {
                 for (const snippet& need : item.map.needs) add(need, item, of_map, use);
                 for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
-                add(item.what, item, of_map, use);
+                const own_snippets own(item.texts);
+                for (const snippet& text : own) add(text, item, of_map, use);
+                if (item.texts.empty()) add(item.what, item, of_map, use);
             }
     }
 
@@ -21001,7 +21034,7 @@ private:
     [[nodiscard]] static bool has_map(const bound& item) {
         for (const snippet& need : item.map.needs)
             if (is_of_map(need)) return true;
-        return is_of_map(item.what);
+        return !item.texts.empty() || is_of_map(item.what);
     }
 
     const language& language_;
@@ -23450,6 +23483,11 @@ struct map_choice {
 
 }  // namespace glsl
 
+/// Maps of one size, row by row.
+struct map_grid {
+    int columns = 1, rows = 1;
+};
+
 /// How a light's maps are set up. `uniforms` holds mat4s and vec4s alone, in the order of `fields`, so that C++,
 /// std140, cbuffers, WGSL and Metal lay it out alike. `visibility` and `text` are twins: C++ calls look(place) where
 /// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
@@ -23459,7 +23497,7 @@ concept shadow_set_up = std::copyable<SetUp> &&
              float (*look)(const map_place&), const glsl::map_choice& choice) {
     { s.clip() } -> std::same_as<clip_space>;
     { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // of the maps, each with its depth pass
-    { SetUp::grid } -> std::convertible_to<glm::ivec2>;                // columns and rows of maps in one image
+    { SetUp::grid } -> std::convertible_to<map_grid>;                  // of the maps in one image
     { SetUp::outside } -> std::convertible_to<outside_map>;            // what texels outside a map count as
     { SetUp::tile } -> std::convertible_to<std::string_view>;          // snippet of a map's first texel; "" for one map
     { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
@@ -23486,8 +23524,8 @@ consteval bool has_fields() {
 }
 
 /// A map's first texel in the image of all.
-[[nodiscard]] constexpr glm::ivec2 first_texel(int number, glm::ivec2 grid, glm::ivec2 map_size) {
-    return {number % grid.x * map_size.x, number / grid.x * map_size.y};
+[[nodiscard]] inline glm::ivec2 first_texel(int number, map_grid grid, glm::ivec2 map_size) {
+    return {number % grid.columns * map_size.x, number / grid.columns * map_size.y};
 }
 
 /// A light whose world is relative to an origin.
@@ -23535,7 +23573,7 @@ struct cascaded_maps {
             0};  ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last cascade's number
     };
     static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
-    static constexpr glm::ivec2 grid{2, 2};
+    static constexpr map_grid grid{2, 2};
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr std::string_view tile = glsl::cascade_tile.name;
 
@@ -23548,7 +23586,7 @@ struct cascaded_maps {
     [[nodiscard]] uniforms make_uniforms(glm::ivec2, glm::dvec3 origin) const {
         const glm::dmat4 rotation = cascades.front().light.view;
         const glm::dvec3 start(rotation * glm::dvec4(origin, 1.0));
-        uniforms u{glm::mat4(glm::dmat3(rotation)), glm::mat4(0), glm::mat4(0), glm::vec4(0)};
+        uniforms u{glm::mat4(glm::dmat4(glm::dmat3(rotation))), glm::mat4(0), glm::mat4(0), glm::vec4(0)};
         for (glm::length_t i = 0; i < 4; ++i) {
             u.offsets[i] = {65536.0f, 65536.0f, 0.0f, 0.0f};  // nothing falls into a cascade that is not there
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
@@ -23640,7 +23678,7 @@ struct cube_maps {
         glm::mat4 planes;     ///< plane_matrix of that
     };
     static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
-    static constexpr glm::ivec2 grid{3, 2};
+    static constexpr map_grid grid{3, 2};
     static constexpr outside_map outside = outside_map::clamped;
     static constexpr std::string_view tile = glsl::cube_tile.name;
 
@@ -23714,7 +23752,7 @@ struct single_map {
         glm::mat4 planes;     ///< plane_matrix
     };
     static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}};
-    static constexpr glm::ivec2 grid{1, 1};
+    static constexpr map_grid grid{1, 1};
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr std::string_view tile{};
 
@@ -23821,7 +23859,7 @@ public:
         detail::require_given(set_up_.clip(), "shadow", "light.clip");
         detail::require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
         filter_.is_lit.direction = encoding_.direction = set_up_.clip().direction;
-        detail::require(2.0f * filter_.reach() <= static_cast<float>(glm::min(map_size.x, map_size.y)), "shadow",
+        detail::require(2.0f * filter_.reach() <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "shadow",
                         "map_size", "twice the filter's reach or more", map_size,
                         "The filter reaches " + detail::printed(filter_.reach()) + " texels to each side.");
         uniforms_ = uniforms();
@@ -23832,7 +23870,7 @@ public:
     [[nodiscard]] const Encoding& encoding() const { return encoding_; }
 
     /// Of the image or texture that holds all maps, texels.
-    [[nodiscard]] glm::ivec2 size() const { return map_size_ * SetUp::grid; }
+    [[nodiscard]] glm::ivec2 size() const { return map_size_ * glm::ivec2(SetUp::grid.columns, SetUp::grid.rows); }
     /// Of one map; a texture array has this size.
     [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
     /// What an empty map holds: the far plane.
@@ -23882,7 +23920,7 @@ public:
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
         float reach = filter_.reach();
         if constexpr (detail::reads_disc<Filter>) reach = filter_.farthest_point();
-        const float rounding = 0x1p-24f * static_cast<float>(glm::max(map_size_.x, map_size_.y));
+        const float rounding = 0x1p-24f * static_cast<float>(detail::greater(map_size_.x, map_size_.y));
         const decoding_error both = encoding_.error();
         const double error = set_up_.clip().direction == depth_direction::forward ? both.below : both.above;
         return {set_up_.make_uniforms(map_size_, frame.origin),
@@ -23968,72 +24006,60 @@ struct shadow_slots {
 
 namespace detail {
 
-/// The texts of one shadow, and what they need: umbrage_look and umbrage_shadow, for its map alone.
-class shadow_texts {
-public:
-    template <class SetUp, class Filter, class Encoding>
-    shadow_texts(const shadow<SetUp, Filter, Encoding>& of, const map_choice& choice) {
-        constexpr bool disc = umbrage::detail::reads_disc<Filter>;
-        const Filter& filter = of.filter();
-        std::string parameters;
-        for (const uniform_field& f : SetUp::fields)
-            parameters += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
-        const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-        const std::string pixel = turns<Filter> ? ", UMBRAGE_HIGHP vec2 pixel" : "";
-        const std::string bias = disc ? "acne_free_disc_bias" : "acne_free_bias";
-        look_text_ =
-            "\n// umbrage_look: visibility of a receiver in one map\n"
-            "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, " +
-            terms + "UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope" + pixel +
-            ") {\n"
-            "    UMBRAGE_HIGHP float bias = umbrage_" +
-            bias +
-            "(slope, terms.z, terms.w);\n"
-            "    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n"
-            "    return umbrage_" +
-            std::string(filter.snippet->name) + "(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver" +
-            arguments(filter) + ");\n}\n";
-        std::string body = SetUp::text(choice);
-        if (turns<Filter>)
-            for (auto i = body.find("umbrage_look("); i != body.npos; i = body.find("umbrage_look(", i)) {
-                i = body.find(";\n", i) - 1;
-                body.insert(i, ", pixel");
-            }
-        door_text_ =
-            "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
-            "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, " +
-            parameters + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" + body + "}\n";
-        look_needs_ = {disc ? &acne_free_disc_bias : &acne_free_bias, &biased, filter.snippet};
-        if (turns<Filter>) look_needs_.push_back(&disc_rotation);
-        look_.source = look_text_.c_str(), look_.needs = look_needs_;
-        door_needs_.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
-        door_needs_.push_back(&look_);
-        door_.source = door_text_.c_str(), door_.needs = door_needs_;
-    }
-    shadow_texts(const shadow_texts&) = delete;  // the snippets point into it
-
-    [[nodiscard]] const snippet& door() const { return door_; }
-
-    template <class Filter>
-    static constexpr bool turns = requires(const Filter& f, const umbrage::detail::any_fetch& fetch) {
-        f(fetch, glm::vec2(), 0.0f, glm::ivec2());
-    };
-
-private:
-    template <class Filter>
-    [[nodiscard]] static std::string arguments(const Filter&) {
-        std::string more;
-        if constexpr (requires(const Filter& f) { f.softness; })
-            more = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
-        else if constexpr (requires(const Filter& f) { f.radius_texels; }) more = ", filter_terms.x";
-        else if constexpr (requires(const Filter& f) { f.radius; }) more = ", int(filter_terms.x)";
-        return more + (turns<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
-    }
-
-    std::string look_text_, door_text_;
-    std::vector<const snippet*> look_needs_, door_needs_;
-    snippet look_{.name = "look", .source = ""}, door_{.name = "shadow", .source = ""};
+/// Whether a filter turns from pixel to pixel.
+template <class Filter>
+inline constexpr bool turns = requires(const Filter& f, const umbrage::detail::any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f, glm::ivec2());
 };
+
+/// What a filter's function takes behind the receiver.
+template <class Filter>
+[[nodiscard]] std::string arguments_of() {
+    std::string more;
+    if constexpr (requires(const Filter& f) { f.softness; })
+        more = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
+    else if constexpr (requires(const Filter& f) { f.radius_texels; }) more = ", filter_terms.x";
+    else if constexpr (requires(const Filter& f) { f.radius; }) more = ", int(filter_terms.x)";
+    return more + (turns<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
+}
+
+/// umbrage_look and umbrage_shadow, of one shadow's map alone.
+template <class SetUp, class Filter>
+[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const map_choice& choice) {
+    const snippet& bias = umbrage::detail::reads_disc<Filter> ? acne_free_disc_bias : acne_free_bias;
+    const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
+    const std::string pixel = turns<Filter> ? ", UMBRAGE_HIGHP vec2 pixel" : "";
+    own_text look{"look",
+                  "\n// umbrage_look: visibility of a receiver in one map\n"
+                  "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, " +
+                      terms + "UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope" + pixel +
+                      ") {\n"
+                      "    UMBRAGE_HIGHP float bias = umbrage_" +
+                      std::string(bias.name) +
+                      "(slope, terms.z, terms.w);\n"
+                      "    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n"
+                      "    return umbrage_" +
+                      std::string(filter.snippet->name) + "(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver" +
+                      arguments_of<Filter>() + ");\n}\n"};
+    look.needs = {&bias, &biased, filter.snippet};
+    if (turns<Filter>) look.needs.push_back(&disc_rotation);
+
+    std::string parameters, body = SetUp::text(choice);
+    for (const uniform_field& f : SetUp::fields)
+        parameters += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
+    if (turns<Filter>)
+        for (auto i = body.find("umbrage_look("); i != body.npos; i = body.find("umbrage_look(", i)) {
+            i = body.find(";\n", i) - 1;
+            body.insert(i, ", pixel");
+        }
+    own_text door{"shadow",
+                  "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
+                  "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, " +
+                      parameters + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" +
+                      body + "}\n"};
+    door.needs.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
+    return {std::move(look), std::move(door)};
+}
 
 }  // namespace detail
 
@@ -24045,7 +24071,7 @@ private:
 ///                                 depths under a comparison sampler
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind(const shadow<SetUp, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
-    constexpr bool several = SetUp::grid != glm::ivec2(1);
+    constexpr bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
     const texture kind = slots.map.value_or(several ? texture::atlas : texture::texture_2d);
     const bool layers = kind == texture::array || kind == texture::depth_array || kind == texture::shadow_array;
     const bool plain = kind == texture::texture_2d || kind == texture::depth || kind == texture::shadow;
@@ -24059,16 +24085,15 @@ template <class SetUp, class Filter, class Encoding>
     map.outside = SetUp::outside;
     if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
-    const auto texts = std::make_shared<const detail::shadow_texts>(of, map_choice{!layers, SetUp::tile});
-    bound item = bind(texts->door(), name, map);
-    shader_interface declared{std::string(name),
-                              {},
-                              {slots.block, slots.texture, slots.sampler, slots.set},
-                              detail::shadow_texts::turns<Filter>};
+    bound item(snippet{.name = "shadow", .source = ""}, name, map);
+    item.texts = detail::shadow_texts<SetUp>(of.filter(), map_choice{!layers, SetUp::tile});
+    const detail::own_snippets own(item.texts);
+    for (const snippet& text : own) detail::check(text, name, map);
+    shader_interface declared{
+        std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, detail::turns<Filter>};
     for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
-    item.declared = std::make_shared<const shader_interface>(std::move(declared));
-    item.texts = texts;
+    item.declared = std::move(declared);
     return item;
 }
 

@@ -9,7 +9,8 @@
 //
 #pragma once
 
-#include <memory>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -140,13 +141,45 @@ void check(const snippet& what, std::string_view name, const binding& map) {
 
 }  // namespace detail
 
+/// A text made where it is bound, and what it calls.
+struct own_text {
+    std::string name, source;
+    std::vector<const snippet*> needs{};
+};
+
+namespace detail {
+
+/// Own texts as snippets, of which each may call those before it; they last as long as the texts and this.
+class own_snippets {
+public:
+    template <class = umbrage::detail::on_use>
+    explicit own_snippets(const std::vector<own_text>& texts) : needs_(texts.size()) {
+        all_.reserve(texts.size());  // which are pointed to
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            needs_[i] = texts[i].needs;
+            for (const snippet& before : all_) needs_[i].push_back(&before);
+            all_.push_back({.name = texts[i].name, .needs = needs_[i], .source = texts[i].source.c_str()});
+        }
+    }
+    own_snippets(const own_snippets&) = delete;
+
+    [[nodiscard]] auto begin() const { return all_.begin(); }
+    [[nodiscard]] auto end() const { return all_.end(); }
+
+private:
+    std::vector<std::vector<const snippet*>> needs_;
+    std::vector<snippet> all_;
+};
+
+}  // namespace detail
+
 /// A snippet and the map that it is for; a snippet alone is bind(snippet, "", {}), for a 2D texture of depths.
 struct bound {
     snippet what;
     std::string suffix{};
     binding map{};
-    std::shared_ptr<const shader_interface> declared{};  ///< of a shadow: what the text declares for it,
-    std::shared_ptr<const void> texts{};                 ///< and what keeps its snippets alive
+    std::optional<shader_interface> declared{};  ///< of a shadow: what the text declares for it,
+    std::vector<own_text> texts{};               ///< and its functions; `what` only names it
 
     template <class = umbrage::detail::on_use>
     bound(const snippet& s) : what(s) {}

@@ -92,7 +92,9 @@ private:
             for (const bound& item : items_) {
                 for (const snippet& need : item.map.needs) add(need, item, of_map, use);
                 for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
-                add(item.what, item, of_map, use);
+                const own_snippets own(item.texts);
+                for (const snippet& text : own) add(text, item, of_map, use);
+                if (item.texts.empty()) add(item.what, item, of_map, use);
             }
     }
 
@@ -139,7 +141,7 @@ private:
     [[nodiscard]] static bool has_map(const bound& item) {
         for (const snippet& need : item.map.needs)
             if (is_of_map(need)) return true;
-        return is_of_map(item.what);
+        return !item.texts.empty() || is_of_map(item.what);
     }
 
     const language& language_;

@@ -41,7 +41,7 @@ struct cascaded_maps {
             0};  ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last cascade's number
     };
     static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
-    static constexpr glm::ivec2 grid{2, 2};
+    static constexpr map_grid grid{2, 2};
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr std::string_view tile = glsl::cascade_tile.name;
 
@@ -54,7 +54,7 @@ struct cascaded_maps {
     [[nodiscard]] uniforms make_uniforms(glm::ivec2, glm::dvec3 origin) const {
         const glm::dmat4 rotation = cascades.front().light.view;
         const glm::dvec3 start(rotation * glm::dvec4(origin, 1.0));
-        uniforms u{glm::mat4(glm::dmat3(rotation)), glm::mat4(0), glm::mat4(0), glm::vec4(0)};
+        uniforms u{glm::mat4(glm::dmat4(glm::dmat3(rotation))), glm::mat4(0), glm::mat4(0), glm::vec4(0)};
         for (glm::length_t i = 0; i < 4; ++i) {
             u.offsets[i] = {65536.0f, 65536.0f, 0.0f, 0.0f};  // nothing falls into a cascade that is not there
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;

@@ -31,7 +31,7 @@ struct cube_maps {
         glm::mat4 planes;     ///< plane_matrix of that
     };
     static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
-    static constexpr glm::ivec2 grid{3, 2};
+    static constexpr map_grid grid{3, 2};
     static constexpr outside_map outside = outside_map::clamped;
     static constexpr std::string_view tile = glsl::cube_tile.name;
 

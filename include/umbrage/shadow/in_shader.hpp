@@ -10,10 +10,10 @@
 // hlsl::text, wgsl::text and msl::text take the same; in Metal block, map and sampler come first.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <umbrage/shader/bind.hpp>
@@ -31,72 +31,60 @@ struct shadow_slots {
 
 namespace detail {
 
-/// The texts of one shadow, and what they need: umbrage_look and umbrage_shadow, for its map alone.
-class shadow_texts {
-public:
-    template <class SetUp, class Filter, class Encoding>
-    shadow_texts(const shadow<SetUp, Filter, Encoding>& of, const map_choice& choice) {
-        constexpr bool disc = umbrage::detail::reads_disc<Filter>;
-        const Filter& filter = of.filter();
-        std::string parameters;
-        for (const uniform_field& f : SetUp::fields)
-            parameters += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
-        const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-        const std::string pixel = turns<Filter> ? ", UMBRAGE_HIGHP vec2 pixel" : "";
-        const std::string bias = disc ? "acne_free_disc_bias" : "acne_free_bias";
-        look_text_ =
-            "\n// umbrage_look: visibility of a receiver in one map\n"
-            "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, " +
-            terms + "UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope" + pixel +
-            ") {\n"
-            "    UMBRAGE_HIGHP float bias = umbrage_" +
-            bias +
-            "(slope, terms.z, terms.w);\n"
-            "    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n"
-            "    return umbrage_" +
-            std::string(filter.snippet->name) + "(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver" +
-            arguments(filter) + ");\n}\n";
-        std::string body = SetUp::text(choice);
-        if (turns<Filter>)
-            for (auto i = body.find("umbrage_look("); i != body.npos; i = body.find("umbrage_look(", i)) {
-                i = body.find(";\n", i) - 1;
-                body.insert(i, ", pixel");
-            }
-        door_text_ =
-            "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
-            "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, " +
-            parameters + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" + body + "}\n";
-        look_needs_ = {disc ? &acne_free_disc_bias : &acne_free_bias, &biased, filter.snippet};
-        if (turns<Filter>) look_needs_.push_back(&disc_rotation);
-        look_.source = look_text_.c_str(), look_.needs = look_needs_;
-        door_needs_.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
-        door_needs_.push_back(&look_);
-        door_.source = door_text_.c_str(), door_.needs = door_needs_;
-    }
-    shadow_texts(const shadow_texts&) = delete;  // the snippets point into it
-
-    [[nodiscard]] const snippet& door() const { return door_; }
-
-    template <class Filter>
-    static constexpr bool turns = requires(const Filter& f, const umbrage::detail::any_fetch& fetch) {
-        f(fetch, glm::vec2(), 0.0f, glm::ivec2());
-    };
-
-private:
-    template <class Filter>
-    [[nodiscard]] static std::string arguments(const Filter&) {
-        std::string more;
-        if constexpr (requires(const Filter& f) { f.softness; })
-            more = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
-        else if constexpr (requires(const Filter& f) { f.radius_texels; }) more = ", filter_terms.x";
-        else if constexpr (requires(const Filter& f) { f.radius; }) more = ", int(filter_terms.x)";
-        return more + (turns<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
-    }
-
-    std::string look_text_, door_text_;
-    std::vector<const snippet*> look_needs_, door_needs_;
-    snippet look_{.name = "look", .source = ""}, door_{.name = "shadow", .source = ""};
+/// Whether a filter turns from pixel to pixel.
+template <class Filter>
+inline constexpr bool turns = requires(const Filter& f, const umbrage::detail::any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f, glm::ivec2());
 };
+
+/// What a filter's function takes behind the receiver.
+template <class Filter>
+[[nodiscard]] std::string arguments_of() {
+    std::string more;
+    if constexpr (requires(const Filter& f) { f.softness; })
+        more = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
+    else if constexpr (requires(const Filter& f) { f.radius_texels; }) more = ", filter_terms.x";
+    else if constexpr (requires(const Filter& f) { f.radius; }) more = ", int(filter_terms.x)";
+    return more + (turns<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
+}
+
+/// umbrage_look and umbrage_shadow, of one shadow's map alone.
+template <class SetUp, class Filter>
+[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const map_choice& choice) {
+    const snippet& bias = umbrage::detail::reads_disc<Filter> ? acne_free_disc_bias : acne_free_bias;
+    const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
+    const std::string pixel = turns<Filter> ? ", UMBRAGE_HIGHP vec2 pixel" : "";
+    own_text look{"look",
+                  "\n// umbrage_look: visibility of a receiver in one map\n"
+                  "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, " +
+                      terms + "UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope" + pixel +
+                      ") {\n"
+                      "    UMBRAGE_HIGHP float bias = umbrage_" +
+                      std::string(bias.name) +
+                      "(slope, terms.z, terms.w);\n"
+                      "    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n"
+                      "    return umbrage_" +
+                      std::string(filter.snippet->name) + "(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver" +
+                      arguments_of<Filter>() + ");\n}\n"};
+    look.needs = {&bias, &biased, filter.snippet};
+    if (turns<Filter>) look.needs.push_back(&disc_rotation);
+
+    std::string parameters, body = SetUp::text(choice);
+    for (const uniform_field& f : SetUp::fields)
+        parameters += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
+    if (turns<Filter>)
+        for (auto i = body.find("umbrage_look("); i != body.npos; i = body.find("umbrage_look(", i)) {
+            i = body.find(";\n", i) - 1;
+            body.insert(i, ", pixel");
+        }
+    own_text door{"shadow",
+                  "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
+                  "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, " +
+                      parameters + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" +
+                      body + "}\n"};
+    door.needs.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
+    return {std::move(look), std::move(door)};
+}
 
 }  // namespace detail
 
@@ -108,7 +96,7 @@ private:
 ///                                 depths under a comparison sampler
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind(const shadow<SetUp, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
-    constexpr bool several = SetUp::grid != glm::ivec2(1);
+    constexpr bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
     const texture kind = slots.map.value_or(several ? texture::atlas : texture::texture_2d);
     const bool layers = kind == texture::array || kind == texture::depth_array || kind == texture::shadow_array;
     const bool plain = kind == texture::texture_2d || kind == texture::depth || kind == texture::shadow;
@@ -122,16 +110,15 @@ template <class SetUp, class Filter, class Encoding>
     map.outside = SetUp::outside;
     if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
-    const auto texts = std::make_shared<const detail::shadow_texts>(of, map_choice{!layers, SetUp::tile});
-    bound item = bind(texts->door(), name, map);
-    shader_interface declared{std::string(name),
-                              {},
-                              {slots.block, slots.texture, slots.sampler, slots.set},
-                              detail::shadow_texts::turns<Filter>};
+    bound item(snippet{.name = "shadow", .source = ""}, name, map);
+    item.texts = detail::shadow_texts<SetUp>(of.filter(), map_choice{!layers, SetUp::tile});
+    const detail::own_snippets own(item.texts);
+    for (const snippet& text : own) detail::check(text, name, map);
+    shader_interface declared{
+        std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, detail::turns<Filter>};
     for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
-    item.declared = std::make_shared<const shader_interface>(std::move(declared));
-    item.texts = texts;
+    item.declared = std::move(declared);
     return item;
 }
 

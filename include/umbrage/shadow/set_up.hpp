@@ -59,6 +59,11 @@ struct map_choice {
 
 }  // namespace glsl
 
+/// Maps of one size, row by row.
+struct map_grid {
+    int columns = 1, rows = 1;
+};
+
 /// How a light's maps are set up. `uniforms` holds mat4s and vec4s alone, in the order of `fields`, so that C++,
 /// std140, cbuffers, WGSL and Metal lay it out alike. `visibility` and `text` are twins: C++ calls look(place) where
 /// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
@@ -68,7 +73,7 @@ concept shadow_set_up = std::copyable<SetUp> &&
              float (*look)(const map_place&), const glsl::map_choice& choice) {
     { s.clip() } -> std::same_as<clip_space>;
     { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // of the maps, each with its depth pass
-    { SetUp::grid } -> std::convertible_to<glm::ivec2>;                // columns and rows of maps in one image
+    { SetUp::grid } -> std::convertible_to<map_grid>;                  // of the maps in one image
     { SetUp::outside } -> std::convertible_to<outside_map>;            // what texels outside a map count as
     { SetUp::tile } -> std::convertible_to<std::string_view>;          // snippet of a map's first texel; "" for one map
     { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
@@ -95,8 +100,8 @@ consteval bool has_fields() {
 }
 
 /// A map's first texel in the image of all.
-[[nodiscard]] constexpr glm::ivec2 first_texel(int number, glm::ivec2 grid, glm::ivec2 map_size) {
-    return {number % grid.x * map_size.x, number / grid.x * map_size.y};
+[[nodiscard]] inline glm::ivec2 first_texel(int number, map_grid grid, glm::ivec2 map_size) {
+    return {number % grid.columns * map_size.x, number / grid.columns * map_size.y};
 }
 
 /// A light whose world is relative to an origin.

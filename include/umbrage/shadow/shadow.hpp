@@ -22,6 +22,7 @@
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/images/encode.hpp>
@@ -89,7 +90,7 @@ public:
         detail::require_given(set_up_.clip(), "shadow", "light.clip");
         detail::require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
         filter_.is_lit.direction = encoding_.direction = set_up_.clip().direction;
-        detail::require(2.0f * filter_.reach() <= static_cast<float>(glm::min(map_size.x, map_size.y)), "shadow",
+        detail::require(2.0f * filter_.reach() <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "shadow",
                         "map_size", "twice the filter's reach or more", map_size,
                         "The filter reaches " + detail::printed(filter_.reach()) + " texels to each side.");
         uniforms_ = uniforms();
@@ -100,7 +101,7 @@ public:
     [[nodiscard]] const Encoding& encoding() const { return encoding_; }
 
     /// Of the image or texture that holds all maps, texels.
-    [[nodiscard]] glm::ivec2 size() const { return map_size_ * SetUp::grid; }
+    [[nodiscard]] glm::ivec2 size() const { return map_size_ * glm::ivec2(SetUp::grid.columns, SetUp::grid.rows); }
     /// Of one map; a texture array has this size.
     [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
     /// What an empty map holds: the far plane.
@@ -150,7 +151,7 @@ public:
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
         float reach = filter_.reach();
         if constexpr (detail::reads_disc<Filter>) reach = filter_.farthest_point();
-        const float rounding = 0x1p-24f * static_cast<float>(glm::max(map_size_.x, map_size_.y));
+        const float rounding = 0x1p-24f * static_cast<float>(detail::greater(map_size_.x, map_size_.y));
         const decoding_error both = encoding_.error();
         const double error = set_up_.clip().direction == depth_direction::forward ? both.below : both.above;
         return {set_up_.make_uniforms(map_size_, frame.origin),

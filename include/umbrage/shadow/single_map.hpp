@@ -23,7 +23,7 @@ struct single_map {
         glm::mat4 planes;     ///< plane_matrix
     };
     static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}};
-    static constexpr glm::ivec2 grid{1, 1};
+    static constexpr map_grid grid{1, 1};
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr std::string_view tile{};
 

@@ -15,7 +15,7 @@ struct from_above {
         glm::vec4 scale;
     };
     static constexpr uniform_field fields[]{{"scale", false}};
-    static constexpr glm::ivec2 grid{1, 1};
+    static constexpr map_grid grid{1, 1};
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr std::string_view tile{};
 

@@ -145,7 +145,9 @@ TEST_CASE("messages: of filters and shaders") {
     says("make_esm", "exponent", "80", [] { (void)make_esm({.exponent = 80}); });
     says("make_evsm", "least_deviation", "-1", [] { (void)make_evsm({.least_deviation = -1}); });
     says("glsl::bind", "name", "\"my-map\"", [] { (void)glsl::bind(glsl::hard, "my-map"); });
-    const auto unnamed = [] { return std::vector{glsl::bind(glsl::hard, "", {}), glsl::bound(glsl::box)}; };
+    const auto unnamed = [] {
+        return std::vector{glsl::bind(glsl::hard, "", {.channels = 2}), glsl::bound(glsl::box)};
+    };
     says("glsl::text", "name", "\"\"", [&] { (void)glsl::text(unnamed()); });
     says("hlsl::text", "name", "\"\"", [&] { (void)hlsl::text(unnamed()); });
     says("wgsl::text", "name", "\"\"", [&] { (void)wgsl::text(unnamed()); });
