@@ -53,7 +53,7 @@ placed_maps one_map(const lit_view& v, const glm::dvec4& light, const umbrage::l
     return with_matrices(size, light, {umbrage::texture_matrix(space, size)}, [](glm::dvec3) { return 0; });
 }
 
-placed_maps directional(const lit_view& v, const umbrage::hull& receivers, glm::dvec3 up, int snap_texels = 0) {
+placed_maps directional(const lit_view& v, const umbrage::hull& receivers, glm::dvec3 up, glm::ivec2 snap_texels = {}) {
     return one_map(v, {-v.light.direction, 0},
                    umbrage::fit_directional_light<double>({.direction = v.light.direction,
                                                            .up = up,
@@ -117,7 +117,7 @@ umbrage::cascade_fit<double> cascade_fit(const lit_view& v, const frustum& range
             .direction = v.light.direction,
             .up = up,
             .scene = whole(v.scene),
-            .map_size = v.map_size / 2,
+            .map_size = glm::ivec2(v.map_size / 2),
             .clip = clip};
 }
 
@@ -208,7 +208,7 @@ std::vector<set_up> all_set_ups() {
         add("tight",
             [=, range = range](const lit_view& v) { return directional(v, seen(v, v.*range), v.planes.direction); });
         add("sphere", [=, range = range](const lit_view& v) {
-            return directional(v, umbrage::sphere_around(v.*range), v.light.up, v.map_size);
+            return directional(v, umbrage::sphere_around(v.*range), v.light.up, glm::ivec2(v.map_size));
         });
         add("perspective", [=, range = range](const lit_view& v) {
             return warped(v, umbrage::fit_perspective(warp_fit(v, v.*range)));

@@ -50,7 +50,7 @@ light make_light(const shadow_system& s, const scene& scene, float azimuth, floa
             out.space = umbrage::make_directional_light<float>({.direction = out.direction,
                                                                 .up = up,
                                                                 .offset = s.offset,
-                                                                .map_size = map_size,
+                                                                .map_size = glm::ivec2(map_size),
                                                                 .texels_per_unit = s.texels_per_unit,
                                                                 .z_near = out.z_near,
                                                                 .z_far = out.z_far,

@@ -54,7 +54,7 @@ cascades make_cascades(const options& o, const view& v, float reach) {
         .direction = v.lamp.direction,
         .up = example::direction_at(o.azimuth, o.elevation + 90),
         .scene{v.scene.low, v.scene.high},
-        .map_size = o.map_size / 2,
+        .map_size = glm::ivec2(o.map_size / 2),
         .margin = 2 * reach,  // what a bias moves a receiver by, and the filter around it
         .overlap = fade,
         .clip = example::picture_clip};
@@ -145,8 +145,8 @@ void render_cascades(const options& o, const example::scene& scene) {
     const float cleared = umbrage::cleared_depth(example::picture_clip);
     umbrage::image<float> atlas(glm::ivec2(2 * tile.map_size), cleared);
     const auto tile_of = [&](std::size_t i, auto& image) {
-        return image.view().region(umbrage::cascade_tile(static_cast<int>(i), tile.map_size),
-                                   glm::ivec2(tile.map_size));
+        const glm::ivec2 size(tile.map_size);
+        return image.view().region(umbrage::cascade_tile(static_cast<int>(i), size), size);
     };
     std::array<drawn, cascade_count> drawn;
     progress.stage("depth pass", [&] {

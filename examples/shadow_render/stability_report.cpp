@@ -72,7 +72,7 @@ public:
             .direction = -vector(to_light_),
             .up = vector(w.stable ? example::direction_at(o.azimuth, o.elevation + 90) : glm::vec3(f.direction)),
             .scene = {vector(scene.low), vector(scene.high)},
-            .map_size = o.map_size / 2,
+            .map_size = glm::ivec2(o.map_size / 2),
             .clip = example::picture_clip};
         const auto splits = umbrage::practical_splits<4>(T(f.z_near), T(f.z_far), T(0.9));
         cascades_ =

@@ -40,7 +40,7 @@ umbrage::cascade_fit<float> fit_of(const session& s, const example::camera& c) {
             .direction = sun(s),
             .up = example::direction_at(s.system.azimuth, s.system.elevation + 90),
             .scene{s.scene.low, s.scene.high},
-            .map_size = s.system.map_size,
+            .map_size = glm::ivec2(s.system.map_size),
             .margin = 2 * s.system.reach,
             .overlap = cascade_fade_share,
             .clip = umbrage::opengl_clip_space};

@@ -41,7 +41,7 @@ const bench::registration rows([] {
                         const auto view =
                             umbrage::look_along(c.position, c.direction, c.up, umbrage::handedness::right);
                         s->theirs = peers::glm_code::cascades(view, c.tan_half_x, c.tan_half_y, s->splits,
-                                                              s->fit.direction, s->fit.map_size);
+                                                              s->fit.direction, s->fit.map_size.x);
                     },
                 .agree = [s] {  // theirs around the corners' mean, which is no better a middle
                     for (std::size_t i = 0; i < 4; ++i) {

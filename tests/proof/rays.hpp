@@ -142,7 +142,7 @@ protected:
             if (kind_.receivers == fitted_to::box) fit.receivers = box_;
             if (kind_.receivers == fitted_to::points) fit.receivers = positions_;
             if (kind_.receivers == fitted_to::sphere)
-                fit.receivers = sphere_around(camera_), fit.snap_texels = map_size;
+                fit.receivers = sphere_around(camera_), fit.snap_texels = {map_size, map_size};
             light_ = fit_directional_light(fit);
         } else if (kind_.receivers == fitted_to::cone) {
             light_ = make_spot_light<float>(
@@ -165,13 +165,15 @@ protected:
     void make_warped_cascade() {
         using namespace umbrage;
         const auto splits = practical_splits<2>(camera_.z_near, camera_.z_far, 0.4f);
-        const auto all = make_warped_cascades<2>(
-            cascade_fit<float>{
-                .camera = camera_, .direction = direction_, .scene = box_, .map_size = map_size, .clip = clip_},
-            splits, [this](const warp_fit<double>& part) -> warped_light<double> {
-                if (random_() % 2) return fit_perspective(part);
-                return fit_light_space_perspective(part);
-            });
+        const auto all = make_warped_cascades<2>(cascade_fit<float>{.camera = camera_,
+                                                                    .direction = direction_,
+                                                                    .scene = box_,
+                                                                    .map_size = {map_size, map_size},
+                                                                    .clip = clip_},
+                                                 splits, [this](const warp_fit<double>& part) -> warped_light<double> {
+                                                     if (random_() % 2) return fit_perspective(part);
+                                                     return fit_light_space_perspective(part);
+                                                 });
         const std::size_t i = random_() % 2;
         light_ = all[i].light, camera_.z_near = splits[i], camera_.z_far = splits[i + 1];
     }

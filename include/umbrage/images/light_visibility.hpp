@@ -60,15 +60,14 @@ struct placed_receiver {
 struct cascade_placing {
     static constexpr int columns = 2, rows = 2;  // of tiles
     cascade_uniforms<float> u;
-    int size;
+    glm::ivec2 size;
     float reach;
 
     cascade_placing(const cascade_uniforms<float>& uniforms, glm::ivec2 texels, float filter_reach)
-        : u(uniforms), size(texels.x / columns), reach(filter_reach) {}
+        : u(uniforms), size(texels / glm::ivec2(columns, rows)), reach(filter_reach) {}
     [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
         const glm::vec3 light(shadow_coordinate(u.rotation, world));
-        const glm::vec4 at =
-            cascade_by_projection(light, u.scales, u.offsets, glm::vec2(static_cast<float>(size)), reach);
+        const glm::vec4 at = cascade_by_projection(light, u.scales, u.offsets, glm::vec2(size), reach);
         const int number = static_cast<int>(at.w);
         return {cascade_tile(number < 3 ? number : 3, size), glm::vec3(at)};
     }
@@ -169,15 +168,16 @@ void visibility(const light_map<typename Encoding::texel, Light>& map, const Enc
     if constexpr (requires { filter.reach(); }) reach = filter.reach();
     using placing = typename detail::placing_of<Light>::type;
     const placing place(map.light, map.texels.size, reach);
-    detail::require(place.size >= 1, function, "map.texels.size", "that of the light's tiles", map.texels.size);
-    detail::require_size(map.texels.size, glm::ivec2(placing::columns, placing::rows) * place.size, function,
-                         "map.texels.size", "that of the light's tiles");
+    const glm::ivec2 tile_size(place.size), tiles(placing::columns, placing::rows);
+    detail::require(tile_size.x >= 1 && tile_size.y >= 1, function, "map.texels.size", "that of the light's tiles",
+                    map.texels.size);
+    detail::require_size(map.texels.size, tiles * tile_size, function, "map.texels.size", "that of the light's tiles");
     const auto& directed = detail::in_direction(filter, detail::direction_of(encoding, filter));
     parallel(out.size.y, [&](int first, int last) {
         for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
             for (p.x = 0; p.x < out.size.x; ++p.x) {
                 const detail::placed_receiver r = place(points[p]);
-                const auto tile = map.texels.region(r.tile, glm::ivec2(place.size));
+                const auto tile = map.texels.region(r.tile, tile_size);
                 out[p] = detail::filtered(directed, decoded(clamped(tile), encoding), glm::vec2(r.at), r.at.z, p);
             }
     });

@@ -6,7 +6,7 @@
 //     auto tight = umbrage::fit_directional_light<float>(
 //         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene, .clip = clip});
 //     auto still = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024,
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = {1024, 1024},
 //          .clip = clip});
 //
 #pragma once
@@ -29,7 +29,7 @@ struct directional_fit {
     std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
-    int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
+    glm::ivec2 snap_texels{0};                    ///< size of a map whose texels stay where they are; 0: not snapped
     clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
 };
 
@@ -41,12 +41,13 @@ struct light_box {
     double z_near, z_far;
 };
 
-/// The square of whole texels around a box, a texel wider, and depths in steps of its side.
-[[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
-    const double n(texels), half_texel = greater(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
+/// The map of whole square texels around a box, a texel wider, and depths in steps of its longer side.
+[[nodiscard]] inline light_box snapped(const light_box& box, glm::ivec2 texels) {
+    const glm::dvec2 n(texels), halves = box.half / (n - 1.0);
+    const double half_texel = greater(halves.x, halves.y), side = 2.0 * half_texel * greater(n.x, n.y);
     const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
     const double z_near = std::floor(box.z_near / side) * side;
-    return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
+    return {half_texel * n, first * (2.0 / n) + 1.0, z_near,
             z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
 }
 
@@ -57,9 +58,10 @@ template <real T>
     require_given(fit.clip, function);
     const hull& lit = given(fit.receivers, function);
     require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
-    require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "0 or above 1", fit.snap_texels);
+    const bool snaps = fit.snap_texels != glm::ivec2(0);
+    require(!snaps || (fit.snap_texels.x > 1 && fit.snap_texels.y > 1), function, "snap_texels", "0 or above 1",
+            fit.snap_texels);
     if (fit.casters) require_box(*fit.casters, function, "casters");
-    const bool snaps = fit.snap_texels > 0;
 
     light_space<T> space{
         look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
@@ -98,10 +100,11 @@ template <real T>
 /// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
 /// there; for a sphere's sweep stands that of its square.
 ///
-/// With snap_texels the box is a square, a texel wider, whose texels lie on a grid of the world wherever the receivers
-/// move, as long as their extent keeps its bits: a sphere's does. Its depths then span the casters' whole box, and go
-/// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
-/// origin, compute the texture matrix in double and round that.
+/// With snap_texels the box has the map's aspect, so that texels are squares of the world, and is a texel wider. Its
+/// texels lie on a grid of the world wherever the receivers move, as long as their extent keeps its bits: a sphere's
+/// does. Its depths then span the casters' whole box, and go beyond it in steps of the box's longer side. For a grid
+/// that keeps its place to a hundredth of a texel far from the origin, compute the texture matrix in double and round
+/// that.
 ///
 /// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
 /// or of one around the origin.

@@ -2,7 +2,7 @@
 //
 // A directional light's space as the classic course exercise sets it up.
 //
-//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024, .clip = clip});
+//     auto light = umbrage::make_directional_light({.direction = d, .map_size = {1024, 512}, .clip = clip});
 //
 #pragma once
 
@@ -17,20 +17,20 @@ struct directional_light {
     glm::vec<3, T> target{T(0)};                  ///< what it looks at
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
     T offset = T(10);                             ///< from target back to the light, world units
-    int map_size = 1024;                          ///< texels, >= 1
+    glm::ivec2 map_size{1024};                    ///< texels, each >= 1
     T texels_per_unit = T(10);                    ///< across the light, world units; > 0
     T z_near = T(0.1);                            ///< world units from the light
     T z_far = T(100);
     clip_space clip{};  ///< required: your API's or engine's, see clip_space.hpp
 };
 
-/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
+/// The exercise's set-up: position = target - unit direction * offset, sides = map_size / texels_per_unit.
 /// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of
 ///                                order, and what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
     constexpr auto function = "make_directional_light";
-    detail::require(light.map_size >= 1, function, "map_size", "above 0", light.map_size);
+    detail::require(light.map_size.x >= 1 && light.map_size.y >= 1, function, "map_size", "above 0", light.map_size);
     detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
                     "finite and above 0", light.texels_per_unit);
     detail::require(is_finite(light.offset), function, "offset", "finite", light.offset);
@@ -40,7 +40,7 @@ template <real T = float>
         {},
         light.clip};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
-    const glm::vec<2, T> half(T(light.map_size) / light.texels_per_unit / T(2));
+    const glm::vec<2, T> half(glm::vec<2, T>(light.map_size) / light.texels_per_unit / T(2));
     space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
                                             "map_size and texels_per_unit", "z_near and z_far");
     return detail::checked(space, function, "target, offset, texels_per_unit, z_near and z_far");

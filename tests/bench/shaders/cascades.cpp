@@ -71,7 +71,7 @@ layout(binding = 3) uniform sampler2DArray maps;
          look_up("cascades by depth", "vec3", indexed(number), "_layer(maps, " + number),
          look_up("cascades by the depth buffer's", "vec3", indexed(buffered), "_layer(maps, " + buffered),
          look_up("cascades by depth, in an atlas", "vec3", indexed(number),
-                 "_tile(map, umbrage_cascade_tile(" + number + ", map_size.x * 0.5)"),
+                 "_tile(map, umbrage_cascade_tile(" + number + ", map_size * 0.5)"),
          look_up("cascades by depth, without an index", "vec3",
                  by_depth("umbrage_cascade_column(scales, " + number + ")",
                           "umbrage_cascade_column(offsets, " + number + ")"),

@@ -34,7 +34,7 @@ bool shadows() {
     const auto spot = umbrage::make_spot_light(
         {.position = {0, 5, 0}, .direction = {0, -1, 0}, .z_near = 1, .clip = umbrage::cpu_clip_space});
     const auto sun = umbrage::make_directional_light(
-        {.direction = {0, -1, 0}, .map_size = map_size.x, .z_far = 20, .clip = umbrage::cpu_clip_space});
+        {.direction = {0, -1, 0}, .map_size = map_size, .z_far = 20, .clip = umbrage::cpu_clip_space});
 
     bool ok = true;
     for (const umbrage::light_space<float>& light : {spot, sun}) {

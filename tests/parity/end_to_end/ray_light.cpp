@@ -38,7 +38,7 @@ void ray_light::make_cascade(std::uint64_t n) {
     const cascade_fit<float> fit{.camera = camera_,
                                  .direction = direction_,
                                  .scene = box_,
-                                 .map_size = map_size,
+                                 .map_size = {map_size, map_size},
                                  .margin = widest_reach,
                                  .clip = clip_};
     cascade_ = (n % 2 ? make_stable_cascades<3>(fit, splits) : make_tight_cascades<3>(fit, splits))[n / 2 % 3];

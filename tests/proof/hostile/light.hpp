@@ -53,10 +53,12 @@ void each_of_light(const Run& run, const Fetch& fetch) {
     run(
         "cascade_tile", 1,
         [](source& s) {
-            const auto number = static_cast<int>(s.below(4));
-            return glm::ivec2(number, s.below(4096));
+            const int number = static_cast<int>(s.below(4)), width = static_cast<int>(s.below(4096));
+            return glm::ivec3(number, width, s.below(4096));
         },
-        [](glm::ivec2 v) { return glm::vec2(cascade_tile(v.x, v.y)); });
+        [](glm::ivec3 v) {
+            return glm::vec2(cascade_tile(v.x, {v.y, v.z}));
+        });
     run(
         "cascade_weight", 1, [](source& s) { return s.any(); }, [](float v) { return cascade_weight(v); });
     run(

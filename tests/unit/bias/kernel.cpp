@@ -46,8 +46,10 @@ TEST_CASE("kernel_bias: in depth, it covers what acne_free_bias asks for, by no 
         const light_space<double> light =
             spot ? make_spot_light<double>(
                        {.position = position, .direction = along, .z_near = 1, .clip = cpu_clip_space})
-                 : make_directional_light<double>(
-                       {.direction = slanted, .map_size = 1 << 16, .texels_per_unit = 8192, .clip = cpu_clip_space});
+                 : make_directional_light<double>({.direction = slanted,
+                                                   .map_size = glm::ivec2(1 << 16),
+                                                   .texels_per_unit = 8192,
+                                                   .clip = cpu_clip_space});
         const glm::ivec2 size(1 << 16);  // so that no slope meets its limit
         const glm::dmat4 to_texels = texture_matrix(light, size), planes = plane_matrix(to_texels);
         const glm::dvec2 units = make_light_units(light, size);

@@ -64,8 +64,8 @@ TEST_CASE_TEMPLATE("make_light_units: spot and directional, every clip space, ne
                     position + (5.0 + 3.0 * coordinate(random)) * axis +
                         glm::dvec3(coordinate(random), 0, coordinate(random)));
         const glm::dvec3 direction = glm::normalize(glm::dvec3(1, -2, 0.5));
-        check_units(make_directional_light<T>({.direction = vec(direction), .map_size = 300, .clip = clip}), direction,
-                    glm::dvec3(coordinate(random), coordinate(random), coordinate(random)));
+        check_units(make_directional_light<T>({.direction = vec(direction), .map_size = {300, 300}, .clip = clip}),
+                    direction, glm::dvec3(coordinate(random), coordinate(random), coordinate(random)));
     }
 }
 
@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("light_units_at: as make_light_units has it, spot and directi
             CHECK(double(drift) < (sizeof(T) == 4 ? 1e-5 : 1e-13));
         };
         check(make_spot_light<T>({.position = position, .direction = axis, .z_near = 1, .clip = clip}));
-        check(make_directional_light<T>({.direction = axis, .map_size = 300, .clip = clip}));
+        check(make_directional_light<T>({.direction = axis, .map_size = {300, 300}, .clip = clip}));
     }
 }
 
@@ -161,7 +161,7 @@ TEST_CASE("light_units_at: a bias in world units keeps a warped map's planes off
 
 TEST_CASE("make_light_units: by hand, and what is refused") {
     // 300 texels over 30 units, 0.1 to 100 before the light
-    const auto sun = make_directional_light<double>({.map_size = 300, .clip = cpu_clip_space});
+    const auto sun = make_directional_light<double>({.map_size = {300, 300}, .clip = cpu_clip_space});
     CHECK(make_light_units(sun, {300, 300}).x == doctest::Approx(0.1));
     CHECK(make_light_units(sun, {300, 300}).y == doctest::Approx(1 / 99.9));
     CHECK(make_light_units(sun, {300, 150}).x == doctest::Approx(0.2));  // the longer edge

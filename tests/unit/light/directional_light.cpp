@@ -47,6 +47,18 @@ TEST_CASE("make_directional_light: the exercise's set-up on points worked out by
     }
 }
 
+TEST_CASE("make_directional_light: texels are as dense in maps that are no squares") {
+    for (clip_space clip : all_clip_spaces())
+        for (const glm::ivec2 size : {glm::ivec2(512, 1024), glm::ivec2(300, 7)}) {
+            const glm::dmat4 m =
+                texture_matrix(make_directional_light<double>(
+                                   {.direction = in_world({0, 0, -2}, clip), .map_size = size, .clip = clip}),
+                               size);
+            const auto expected = in_convention(glm::dvec3(size.x / 2.0 + 10, size.y / 2.0 + 20, 0), clip, size.y);
+            CHECK(glm::length(glm::dvec2(through(m, in_world({1, 2, 0}, clip))) - glm::dvec2(expected)) < 1e-9);
+        }
+}
+
 TEST_CASE("make_directional_light: the light is at target - direction * offset") {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> coordinate(-5, 5);
@@ -86,7 +98,7 @@ TEST_CASE_TEMPLATE("make_directional_light: bad input", T, float, double) {
     const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
     CHECK_NOTHROW(with([](auto&) {}));
     for (int size : {0, -1, std::numeric_limits<int>::min()})
-        CHECK_THROWS_AS(with([&](auto& l) { l.map_size = size; }), std::invalid_argument);
+        CHECK_THROWS_AS(with([&](auto& l) { l.map_size.y = size; }), std::invalid_argument);
     for (T density : {T(0), T(-1), nan, infinity})
         CHECK_THROWS_AS(with([&](auto& l) { l.texels_per_unit = density; }), std::invalid_argument);
     for (T bad : {nan, -nan, infinity, -infinity}) {
@@ -115,10 +127,10 @@ TEST_CASE("make_directional_light: numbers at the ends of float give finite matr
             });
         };
         const std::string name = "umbrage::make_directional_light: ";
-        CHECK(with([](auto& l) { l.map_size = 0; }).starts_with(name + "map_size "));
+        CHECK(with([](auto& l) { l.map_size = {0, 8}; }).starts_with(name + "map_size "));
         CHECK(with([&](auto& l) { l.texels_per_unit = infinity; }).starts_with(name + "texels_per_unit "));
         CHECK(with([](auto& l) {
-                  l.map_size = 1, l.texels_per_unit = 3e38f;
+                  l.map_size = {1, 1}, l.texels_per_unit = 3e38f;
               }).starts_with(name + "map_size and texels_per_unit "));
         CHECK(with([](auto& l) { l.texels_per_unit = 1e-45f; }).starts_with(name + "map_size and texels_per_unit "));
         CHECK(with([](auto& l) { l.texels_per_unit = 3e38f; }).empty());  // 1024 texels over half the range

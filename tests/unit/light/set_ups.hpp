@@ -79,7 +79,13 @@ const std::map<std::string, std::function<std::vector<light_space<T>>(const argu
      }},
     {"make_spot_light",
      [](const arguments<T>& a) -> std::vector<light_space<T>> {
-         return {make_spot_light<T>({a.position, a.direction, a.up, a.angle, a.z_near, a.z_far, a.clip})};
+         return {make_spot_light<T>({.position = a.position,
+                                     .direction = a.direction,
+                                     .up = a.up,
+                                     .outer_angle_radians = a.angle,
+                                     .z_near = a.z_near,
+                                     .z_far = a.z_far,
+                                     .clip = a.clip})};
      }},
     {"make_point_light",
      [](const arguments<T>& a) {

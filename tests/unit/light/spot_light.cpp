@@ -97,6 +97,25 @@ TEST_CASE("make_spot_light: the cone's edge touches the map's edges and never le
     }
 }
 
+TEST_CASE(
+    "make_spot_light: a map of any aspect holds the cone, whose edge touches its shorter sides; texels are square") {
+    for (clip_space clip : all_clip_spaces())
+        for (const glm::ivec2 size : {glm::ivec2(512, 1024), glm::ivec2(1920, 1080), glm::ivec2(64, 64)}) {
+            auto light = tilted(clip);
+            light.aspect = double(size.x) / size.y;
+            const auto space = make_spot_light(light);
+            const glm::dmat4 back = glm::inverse(space.view), m = texture_matrix(space, size);
+            const double front = clip.hand == handedness::right ? -1 : 1, extent = std::tan(light.outer_angle_radians);
+            const double radius = std::min(size.x, size.y) / 2.0;
+            for (int i = 0; i < 36; ++i) {
+                const double turn = i * std::numbers::pi / 18;
+                const glm::dvec3 edge(extent * std::cos(turn) * 5, extent * std::sin(turn) * 5, 5 * front);
+                const glm::dvec2 p(through(m, glm::dvec3(back * glm::dvec4(edge, 1))));
+                CHECK(glm::length(p - glm::dvec2(size) / 2.0) == doctest::Approx(radius).epsilon(1e-12));
+            }
+        }
+}
+
 TEST_CASE("make_spot_light: straight down and straight up") {
     for (clip_space clip : all_clip_spaces())
         for (float sign : {-1.0f, 1.0f}) {
@@ -137,6 +156,8 @@ TEST_CASE_TEMPLATE("make_spot_light: bad input", T, float, double) {
     CHECK_NOTHROW(with([](auto&) {}));
     for (T angle : {T(0), T(-1), T(-0.0), T(2), std::numbers::pi_v<T> / 2, nan, infinity, -infinity})
         CHECK_THROWS_AS(with([&](auto& l) { l.outer_angle_radians = angle; }), std::invalid_argument);
+    for (T aspect : {T(0), T(-1), nan, infinity})
+        CHECK_THROWS_AS(with([&](auto& l) { l.aspect = aspect; }), std::invalid_argument);
     CHECK_NOTHROW(with([](auto& l) { l.outer_angle_radians = std::nextafter(std::numbers::pi_v<T> / 2, T(0)); }));
     CHECK_THROWS_AS(with([](auto& l) { l.direction = {0, 0, 0}; }), std::invalid_argument);
     CHECK_THROWS_AS(with([&](auto& l) { l.direction.y = nan; }), std::invalid_argument);
@@ -166,6 +187,8 @@ TEST_CASE("make_spot_light: numbers at the ends of float give finite matrices or
         CHECK(with([](auto& l) {
                   l.outer_angle_radians = 1e-45f;
               }).starts_with("umbrage::make_spot_light: outer_angle_radians "));
+        for (const float aspect : {1e-45f, 2e-39f, greatest})
+            CHECK(with([&](auto& l) { l.aspect = aspect; }).starts_with("umbrage::make_spot_light: aspect "));
         CHECK(with([](auto& l) {
                   l.position.x = 3e38f;
               }).starts_with("umbrage::make_spot_light: position, outer_angle_radians, z_near and z_far "));
@@ -212,6 +235,7 @@ TEST_CASE_TEMPLATE("make_spot_light, texture_matrix: whatever the numbers, finit
         if (i & 128) light.outer_angle_radians = any();
         if (i & 256) light.z_near = any();
         if (i & 512) light.z_far = any();
+        if (i & 1024) light.aspect = any();
         const char* called = "umbrage::make_spot_light: ";
         const std::string error = complaint([&] {
             const light_space<T> space = make_spot_light(light);

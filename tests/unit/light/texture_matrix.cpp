@@ -236,7 +236,7 @@ TEST_CASE("texture_matrix: lands on the texel and the depth that the rasterizer 
                                                     .clip = clip})
                 : kind == 1
                     ? make_directional_light<float>({.direction = {0.3f, -1, 0.2f},
-                                                     .map_size = 60,
+                                                     .map_size = {60, 60},
                                                      .texels_per_unit = 10,
                                                      .z_near = 1,
                                                      .z_far = 20,

@@ -42,7 +42,7 @@ struct cascade_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
     bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
-    int map_size = 1024;                           ///< of each cascade, texels
+    glm::ivec2 map_size{1024};                     ///< of each cascade, texels
     T margin = T(2);                               ///< texels around: the filter's reach
     T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
     clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
@@ -50,10 +50,12 @@ struct cascade_fit {
 
 namespace detail {
 
+[[nodiscard]] inline int shorter_side(glm::ivec2 size) { return size.x < size.y ? size.x : size.y; }
+
 /// A fitted light, whose view is a rotation, as a cascade.
 template <real T>
-[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
-    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, glm::ivec2(map_size));
+[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, glm::ivec2 map_size, const char* function) {
+    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, map_size);
     const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
     const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
     const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
@@ -76,7 +78,7 @@ template <std::size_t Count, real T>
         require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits",
                 "finite and in ascending order", glm::vec<2, T>(splits[i], splits[i + 1]));
     require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
-    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "above 2 margin + 1",
+    require(double(shorter_side(fit.map_size)) - 2 * double(fit.margin) > 1, function, "map_size", "above 2 margin + 1",
             fit.map_size);
     require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "from 0 to 1", fit.overlap);
     std::array<frustum<double>, Count> parts;
@@ -116,7 +118,7 @@ template <real T>
 /// A margin in texels as a share of what a map holds within it.
 template <real T>
 [[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
-    return double(fit.margin) / (fit.map_size - 2 * double(fit.margin));
+    return double(fit.margin) / (shorter_side(fit.map_size) - 2 * double(fit.margin));
 }
 
 /// A cascade for each part, of light(frustum) in double.
@@ -138,7 +140,8 @@ template <std::size_t Count, real T, class Light>
 
 /// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
 /// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
-/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each.
+/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each. Texels
+/// are squares of the world, whatever the map's sides; the shorter one decides their size.
 ///
 /// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
 /// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
@@ -156,13 +159,14 @@ template <std::size_t Count, real T>
     constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
     auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
         const double around = double(fit.margin);
-        const auto light = detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
-                                                            .up = glm::dvec3(fit.up),
-                                                            .receivers = sphere_around(part),
-                                                            .margin = around / (fit.map_size - 1 - 2 * around),
-                                                            .snap_texels = fit.map_size,
-                                                            .clip = fit.clip},
-                                                           function, sides, depths);
+        const auto light =
+            detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                             .up = glm::dvec3(fit.up),
+                                             .receivers = sphere_around(part),
+                                             .margin = around / (detail::shorter_side(fit.map_size) - 1 - 2 * around),
+                                             .snap_texels = fit.map_size,
+                                             .clip = fit.clip},
+                                            function, sides, depths);
         return detail::with_depths_of(light, fit.scene, function);
     });
     for (cascade<T>& c : all)

@@ -92,7 +92,9 @@ template <real T>
 /// First texel of a cascade in an atlas of 2 x 2 tiles.
 /// @param number   0 .. 3;   size  of a tile, in texels
 /// @exactness      A
-[[nodiscard]] inline glm::ivec2 cascade_tile(int number, int size) { return {number % 2 * size, number / 2 * size}; }
+[[nodiscard]] inline glm::ivec2 cascade_tile(int number, glm::ivec2 size) {
+    return glm::ivec2(number % 2, number / 2) * size;
+}
 
 namespace glsl {
 
@@ -190,9 +192,9 @@ inline constexpr snippet cascade_tile{
     .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
-UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float size) {
+UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 size) {
     UMBRAGE_HIGHP float row = number < 1.5 ? 0.0 : 1.0;
-    return vec2((number - row * 2.0) * size, row * size);
+    return vec2(number - row * 2.0, row) * size;
 }
 )GLSL",
 };

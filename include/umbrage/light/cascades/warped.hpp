@@ -88,16 +88,16 @@ struct warped_cascade_uniforms {
 /// @throws std::invalid_argument  map_size below 1, fade out of range
 template <real T, std::size_t Count>
 [[nodiscard]] warped_cascade_uniforms<T, Count> make_cascade_uniforms(
-    const std::array<warped_cascade<T>, Count>& cascades, int map_size, T fade) {
+    const std::array<warped_cascade<T>, Count>& cascades, glm::ivec2 map_size, T fade) {
     constexpr auto function = "make_cascade_uniforms";
     static_assert(Count >= 1);
-    detail::require(map_size >= 1, function, "map_size", "above 0", map_size);
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
     detail::require(fade >= T(0) && fade <= T(1), function, "fade", "from 0 to 1", fade);
     warped_cascade_uniforms<T, Count> u;
     u.ends.fill(glm::vec<3, T>(detail::highest<T>));
     for (std::size_t i = 0; i < Count; ++i) {
         const warped_cascade<T>& c = cascades[i];
-        u.to_texels[i] = texture_matrix(c.light, glm::ivec2(map_size));
+        u.to_texels[i] = texture_matrix(c.light, map_size);
         u.fades[i] = detail::fade_of(c.begin, c.end, fade);
         if (i + 1 < Count) u.ends[i / 3][static_cast<glm::length_t>(i % 3)] = c.end;
     }

@@ -51,8 +51,9 @@ TEST_CASE("messages: of lights") {
     says("make_spot_light", "clip", "unset. Use opengl_clip_space, ", [] { (void)make_spot_light({}); });
     says("make_spot_light", "position, outer_angle_radians, z_near and z_far", "((",
          [] { (void)make_spot_light({.position = glm::vec3(3e38f), .clip = any_clip}); });
-    says("make_directional_light", "map_size", "0",
-         [] { (void)make_directional_light({.map_size = 0, .clip = any_clip}); });
+    says("make_directional_light", "map_size", "1 x 0", [] {
+        (void)make_directional_light({.map_size = {1, 0}, .clip = any_clip});
+    });
     says("make_directional_light", "z_near and z_far", "(5, 1)",
          [] { (void)make_directional_light({.z_near = 5, .z_far = 1, .clip = any_clip}); });
     says("make_point_light", "border", "-1", [] { (void)make_point_light<float>({.border = -1, .clip = any_clip}); });
@@ -64,8 +65,9 @@ TEST_CASE("messages: of lights") {
     says("fit_directional_light", "casters.low", "((1, 2, 3), (1, 1, 3))", [] {
         (void)fit_directional_light<float>({.receivers = unit_box, .casters = inverted_box, .clip = any_clip});
     });
-    says("fit_directional_light", "snap_texels", "1",
-         [] { (void)fit_directional_light<float>({.receivers = unit_box, .snap_texels = 1, .clip = any_clip}); });
+    says("fit_directional_light", "snap_texels", "1 x 8", [] {
+        (void)fit_directional_light<float>({.receivers = unit_box, .snap_texels = {1, 8}, .clip = any_clip});
+    });
     says("make_page_root", "side", "-2",
          [] { (void)make_page_root<float>({.side = -2, .scene = unit_box, .clip = any_clip}); });
     says("texture_matrix", "map_size", "0 x 8", [] {

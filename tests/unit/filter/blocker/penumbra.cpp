@@ -110,7 +110,7 @@ TEST_CASE("make_penumbra_params: similar triangles, for spots and directional li
         }
         const auto sun = make_directional_light<float>({.direction = {0, 0, -1},
                                                         .offset = 0,
-                                                        .map_size = light_map_size.x,
+                                                        .map_size = light_map_size,
                                                         .texels_per_unit = 32,
                                                         .z_near = 0,
                                                         .z_far = 20,

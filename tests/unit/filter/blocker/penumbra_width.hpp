@@ -85,7 +85,7 @@ void check_widths(const Pcss& pcss) {
         }
         const auto sun = make_directional_light<float>({.direction = {0, 0, -1},
                                                         .offset = 0,
-                                                        .map_size = 256,
+                                                        .map_size = {256, 256},
                                                         .texels_per_unit = 32,
                                                         .z_near = 0,
                                                         .z_far = 12,

@@ -99,8 +99,8 @@ TEST_CASE("cascade_by_projection: a NaN is in none, and what is in none is lit")
 }
 
 TEST_CASE("cascade_tile: four tiles, two in a row") {
-    CHECK(cascade_tile(0, 16) == glm::ivec2(0, 0));
-    CHECK(cascade_tile(1, 16) == glm::ivec2(16, 0));
-    CHECK(cascade_tile(2, 16) == glm::ivec2(0, 16));
-    CHECK(cascade_tile(3, 16) == glm::ivec2(16, 16));
+    CHECK(cascade_tile(0, {16, 8}) == glm::ivec2(0, 0));
+    CHECK(cascade_tile(1, {16, 8}) == glm::ivec2(16, 0));
+    CHECK(cascade_tile(2, {16, 8}) == glm::ivec2(0, 8));
+    CHECK(cascade_tile(3, {16, 8}) == glm::ivec2(16, 8));
 }

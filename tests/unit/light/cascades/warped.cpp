@@ -56,7 +56,7 @@ TEST_CASE_TEMPLATE("make_warped_cascades: each holds its part and overlap, with 
         const cascade_fit<T> fit{.camera = camera,
                                  .direction = {1, -2, T(0.5)},
                                  .scene = {glm::vec<3, T>(-30), glm::vec<3, T>(30)},
-                                 .map_size = 256,
+                                 .map_size = {256, 256},
                                  .margin = 4,
                                  .overlap = T(0.5),
                                  .clip = clip};
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("make_cascade_uniforms: warped cascades of any number, chosen
         const cascade_fit<T> fit{.camera = camera,
                                  .direction = {1, -2, T(0.5)},
                                  .scene = {glm::vec<3, T>(-60), glm::vec<3, T>(60)},
-                                 .map_size = 256,
+                                 .map_size = {256, 256},
                                  .margin = 4,
                                  .overlap = T(0.25),
                                  .clip = cpu_clip_space};
@@ -121,12 +121,12 @@ TEST_CASE_TEMPLATE("make_cascade_uniforms: warped cascades of any number, chosen
 }
 
 TEST_CASE("make_cascade_uniforms: bad input, of warped cascades") {
-    const auto complain = [](int map_size, float fade) {
+    const auto complain = [](glm::ivec2 map_size, float fade) {
         return complaint([&] { (void)make_cascade_uniforms(std::array<warped_cascade<float>, 2>{}, map_size, fade); });
     };
-    CHECK(complain(0, 0).starts_with("umbrage::make_cascade_uniforms: map_size "));
+    CHECK(complain({64, 0}, 0).starts_with("umbrage::make_cascade_uniforms: map_size "));
     for (const float fade : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()})
-        CHECK(complain(64, fade).starts_with("umbrage::make_cascade_uniforms: fade "));
+        CHECK(complain({64, 64}, fade).starts_with("umbrage::make_cascade_uniforms: fade "));
 }
 
 TEST_CASE("make_warped_cascades: bad input") {
@@ -141,7 +141,7 @@ TEST_CASE("make_warped_cascades: bad input") {
     };
     CHECK(with([](auto&) {}).empty());
     CHECK(with([](auto&) {}, {1, 1, 3}).starts_with(name + "splits "));
-    CHECK(with([](auto& f) { f.map_size = 5; }).starts_with(name + "map_size "));
+    CHECK(with([](auto& f) { f.map_size = {64, 5}; }).starts_with(name + "map_size "));
     CHECK(with([](auto& f) { f.overlap = 2; }).starts_with(name + "overlap "));
     CHECK(with([](auto& f) { f.margin = -1; }).starts_with(name + "margin "));
     CHECK(with([](auto& f) { f.direction = {}; }).starts_with("umbrage::fit_light_space_perspective: direction "));

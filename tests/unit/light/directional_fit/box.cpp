@@ -52,7 +52,7 @@ TEST_CASE("fit_directional_light: a box's corners and the margin touch the sides
 
 TEST_CASE("fit_directional_light: the same point of the scene, the same texel and depth in every convention") {
     const bounding_box<double> box{{-1, 0, -3}, {4, 2, 5}}, above{{-9, 1, -9}, {9, 7, 9}};
-    for (int snap_texels : {0, 64}) {
+    for (const glm::ivec2 snap_texels : {glm::ivec2(0), glm::ivec2(64, 64)}) {
         const directional_fit<double> fit{.direction = {1, -2, 0.5},
                                           .receivers = box,
                                           .casters = above,
@@ -61,7 +61,7 @@ TEST_CASE("fit_directional_light: the same point of the scene, the same texel an
         const glm::dmat4 plain = texture_matrix(fit_directional_light(fit), {300, 200});
         for (clip_space clip : all_clip_spaces()) {
             CAPTURE(to_string(clip));
-            if (snap_texels && clip.hand == handedness::left) continue;  // the mirrored world's grid is another
+            if (snap_texels.x && clip.hand == handedness::left) continue;  // the mirrored world's grid is another
             const auto mirrored = [&](const bounding_box<double>& b) {
                 const glm::dvec3 low = in_world(b.low, clip), high = in_world(b.high, clip);
                 return bounding_box<double>{glm::min(low, high), glm::max(low, high)};
@@ -97,7 +97,7 @@ TEST_CASE("fit_directional_light: by hand") {
     CHECK(through(uv, {1, 2, 4.6}).z == doctest::Approx(0));
 
     // a square of 64 texels, of which 63 are 5.2 wide, at multiples of a texel
-    fit.snap_texels = 64;
+    fit.snap_texels = {64, 64};
     const glm::dvec3 low = through(glm::inverse(texture_matrix(fit_directional_light(fit), {64, 64})), {0, 0, 0});
     const glm::dvec3 high = through(glm::inverse(texture_matrix(fit_directional_light(fit), {64, 64})), {64, 64, 1});
     const double texel = 5.2 / 63;
@@ -116,7 +116,7 @@ TEST_CASE("fit_directional_light: float keeps what is inside inside, far from th
     for (int i = 0; i < 2000; ++i) {
         directional_fit<float> fit{.receivers = bounding_box<float>{},
                                    .margin = i % 2 ? 1e-4f : 1e-2f,
-                                   .snap_texels = i % 3 ? 0 : 1024,
+                                   .snap_texels = glm::ivec2(i % 3 ? 0 : 1024),
                                    .clip = cpu_clip_space};
         fit.direction = {coordinate(random), coordinate(random), coordinate(random)};
         bounding_box<float> box{{coordinate(random), coordinate(random), coordinate(random)}};
@@ -179,7 +179,7 @@ TEST_CASE_TEMPLATE("fit_directional_light: bad input", T, float, double) {
         CHECK(with([](auto& f) { f.margin = 0; }).empty());
         CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
         for (int texels : {-1, 1, std::numeric_limits<int>::min()})
-            CHECK(with([&](auto& f) { f.snap_texels = texels; }).starts_with(name + "snap_texels "));
+            CHECK(with([&](auto& f) { f.snap_texels = {64, texels}; }).starts_with(name + "snap_texels "));
     }
 }
 
@@ -201,7 +201,7 @@ TEST_CASE_TEMPLATE("fit_directional_light: whatever the numbers, finite matrices
             if (i & 16) fit.direction = vector();
             if (i & 32) fit.up = vector();
             if (i & 64) fit.margin = any();
-            if (i & 128) fit.snap_texels = 2 << i % 13;
+            if (i & 128) fit.snap_texels = {2 << i % 13, 2 << i % 7};
             if (i & 256) fit.receivers = std::vector{vector(), vector(), vector()};
             if (i & 512) fit.receivers = bounding_sphere<T>{vector(), any()};
             if (i & 1024) {

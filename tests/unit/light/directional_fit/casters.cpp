@@ -53,7 +53,7 @@ TEST_CASE("fit_directional_light: holds every receiver and every caster on a rec
                                                           .receivers = seen,
                                                           .casters = above,
                                                           .margin = i % 3 ? 0.0 : 0.01,
-                                                          .snap_texels = i % 4 ? 0 : 256,
+                                                          .snap_texels = glm::ivec2(i % 4 ? 0 : 256),
                                                           .clip = clip});
         const std::vector<glm::dvec3> corners = hull(seen).points;
         for (int k = 0; k < 200; ++k) {

@@ -97,9 +97,9 @@ void add_array(std::vector<entry>& all) {
 /// Four tiles over a texture in which the map is a region, with 1 less it around.
 void add_atlas(std::vector<entry>& all) {
     entry e = look_up("look-up in an atlas", "map_size * 0.5",
-                      {.name = "map", .as = {.texture = glsl::texture::atlas}, .which = "32.0"}, 4.0f);
+                      {.name = "map", .as = {.texture = glsl::texture::atlas}, .which = "vec2(32.0, 32.0)"}, 4.0f);
     e.twin = [](const sample& s) {
-        const ivec2 first = cascade_tile(static_cast<int>(number_of(s)), 32) - bound_map::origin;
+        const ivec2 first = cascade_tile(static_cast<int>(number_of(s)), ivec2(32)) - bound_map::origin;
         return looked_up(s, [map = s.map, first](ivec2 texel) {
             const ivec2 at = first + glm::clamp(texel, ivec2(0), ivec2(31));
             const float depth = fetch_clamped(map, at).x;
@@ -156,11 +156,13 @@ void add_light_cascades_select(std::vector<entry>& all) {
                        },
                    .call = "umbrage_cascade_by_projection(vec3(x0.x, x0.y, x0.z), " + columns +
                            ", mat4(x2, x3, x4, x5), vec2(64.0, 64.0), x0.w)"});
-    all.push_back(
-        {.primitive = &glsl::cascade_tile,
-         .classes = numbered(spread({{0.0f, 1.0f}}, special_values())),
-         .twin = [](const sample& s) { return vec4(vec2(cascade_tile(static_cast<int>(s.x[0].w), 512)), 0.0f, 1.0f); },
-         .call = "vec4(umbrage_cascade_tile(x0.w, 512.0), 0.0, 1.0)"});
+    all.push_back({.primitive = &glsl::cascade_tile,
+                   .classes = numbered(spread({{0.0f, 1.0f}}, special_values())),
+                   .twin =
+                       [](const sample& s) {
+                           return vec4(vec2(cascade_tile(static_cast<int>(s.x[0].w), {512, 256})), 0.0f, 1.0f);
+                       },
+                   .call = "vec4(umbrage_cascade_tile(x0.w, vec2(512.0, 256.0)), 0.0, 1.0)"});
     add_array(all);
     add_atlas(all);
 }

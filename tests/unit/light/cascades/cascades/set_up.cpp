@@ -51,8 +51,8 @@ TEST_CASE("make_stable_cascades, make_tight_cascades: what is wrong is named") {
     CHECK(of([&](fit& f) { f.up.y = infinity; }) == "up");
     CHECK(of([](fit& f) { f.scene.low.x = 2.0f; }) == "scene.low");
     CHECK(of([&](fit& f) { f.scene.high.x = infinity; }) == "scene.high");
-    CHECK(of([](fit& f) { f.map_size = 0; }) == "map_size");
-    CHECK(of([](fit& f) { f.map_size = 5; }) == "map_size");
+    for (const glm::ivec2 bad : {glm::ivec2(0), glm::ivec2(5), glm::ivec2(5, 64), glm::ivec2(64, -64)})
+        CHECK(of([=](fit& f) { f.map_size = bad; }) == "map_size");
     for (const float bad : {-1.0f, nan, infinity}) CHECK(of([=](fit& f) { f.margin = bad; }) == "margin");
     for (const float bad : {-0.1f, 1.1f, nan}) CHECK(of([=](fit& f) { f.overlap = bad; }) == "overlap");
 }
