@@ -3,9 +3,7 @@
 // What lights are fitted to: boxes, spheres, a camera's frustum and slices of it, points; and what a frustum has in
 // common with a scene.
 //
-//     umbrage::frustum<float> slice{.position = eye, .direction = ahead, .tan_half_x = 0.8f, .tan_half_y = 0.5f,
-//                                   .z_near = 1, .z_far = 20};
-//     umbrage::polyhedron seen = umbrage::intersection(slice, umbrage::bounding_box<float>{scene_low, scene_high});
+//     umbrage::polyhedron seen = umbrage::intersection(camera, umbrage::bounding_box<float>{scene_low, scene_high});
 //
 // Corners are computed in double, whatever the numbers come in.
 //
@@ -15,8 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,7 +25,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/lesser.hpp>
-#include <umbrage/light/light_space.hpp>
+#include <umbrage/light/frustum.hpp>
 
 namespace umbrage {
 
@@ -44,31 +40,11 @@ struct bounding_sphere {
     T radius = T(1);  ///< >= 0
 };
 
-/// What a perspective camera sees between two distances: all of it, or a cascade's slice.
-template <real T>
-struct frustum {
-    glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
-    T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
-};
-
 namespace detail {
 
 /// Box that nobody gave, its low above its high: set-ups that need one refuse it.
 template <real T>
 inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
-
-/// Refuses an argument of a function, a struct, by the names of its members: as "camera" and "z_near".
-struct member_check {
-    const char *function, *argument;
-
-    template <class Value>
-    void operator()(bool met, std::string_view member, std::string_view condition, const Value& got) const {
-        if (!met) refuse(function, std::string(argument).append(".").append(member), condition, got);
-    }
-};
 
 /// Refuses a box that is not finite, or whose low is above its high.
 template <real T>
@@ -88,26 +64,6 @@ void require_given(const bounding_box<T>& box, const char* function, const char*
     require_box(box, function, argument);
 }
 
-/// Refuses a frustum that is none: see its members.
-template <real T>
-void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
-    const member_check must{function, argument};
-    must(is_finite(f.tan_half_x) && f.tan_half_x > T(0), "tan_half_x", "finite and above 0", f.tan_half_x);
-    must(is_finite(f.tan_half_y) && f.tan_half_y > T(0), "tan_half_y", "finite and above 0", f.tan_half_y);
-    must(f.z_near >= T(0), "z_near", "0 or more", f.z_near);
-    must(is_finite(f.z_far) && f.z_near < f.z_far, "z_far", "finite and above z_near", f.z_far);
-    must(all_finite(f.position), "position", "finite", f.position);
-    must(all_finite(f.direction), "direction", "finite", f.direction);
-    must(all_finite(f.up), "up", "finite", f.up);
-    must(f.direction != glm::vec<3, T>(0), "direction", "of a length above 0", f.direction);
-}
-
-}  // namespace detail
-
-using eight_corners = std::array<glm::dvec3, 8>;
-
-namespace detail {
-
 /// corners in the name of another function.
 template <real T>
 [[nodiscard]] eight_corners corners_for(const char* function, const bounding_box<T>& box) {
@@ -116,28 +72,6 @@ template <real T>
     eight_corners all;
     for (std::size_t i = 0; i < 8; ++i)
         all[i] = {(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z};
-    return all;
-}
-
-/// A frustum's directions as columns: to the side, up, along.
-template <real T>
-[[nodiscard]] glm::dmat3 axes(const frustum<T>& f, const char* function, const char* argument = "frustum") {
-    require_frustum(f, function, argument);
-    const auto view = look_along(glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up), handedness::right,
-                                 function, "position");
-    return {{view[0][0], view[1][0], view[2][0]},
-            {view[0][1], view[1][1], view[2][1]},
-            {-view[0][2], -view[1][2], -view[2][2]}};
-}
-
-template <real T>
-[[nodiscard]] eight_corners corners_for(const char* function, const frustum<T>& f) {
-    const glm::dmat3 axes = detail::axes(f, function);
-    eight_corners all;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const double z(i & 4 ? f.z_far : f.z_near), x = (i & 1 ? z : -z) * double(f.tan_half_x);
-        all[i] = glm::dvec3(f.position) + axes * glm::dvec3(x, (i & 2 ? z : -z) * double(f.tan_half_y), z);
-    }
     return all;
 }
 
@@ -150,23 +84,29 @@ template <real T>
     return detail::corners_for("corners", box);
 }
 
-/// Corners in the order of their numbers' bits: right, up, far.
-/// @throws std::invalid_argument  a frustum that is none: see its members
-template <real T>
-[[nodiscard]] eight_corners corners(const frustum<T>& f) {
-    return detail::corners_for("corners", f);
-}
-
-/// The smallest sphere around a frustum. Its radius comes of planes and angles alone: it keeps its bits however the
-/// camera turns and moves.
-/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2
+/// A sphere around a frustum, the smallest about its middle line. Its radius comes of distances and tangents alone: it
+/// keeps its bits however the camera turns and moves.
+/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2; and more
+///            with a shift or a half_size
 /// @throws std::invalid_argument  a frustum that is none
 template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f, "sphere_around");
-    const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
-    const double center = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - center;
-    return {glm::dvec3(f.position) + axes[2] * center, std::sqrt(beyond * beyond + z_far * z_far * t)};
+    const glm::dvec2 tangents(f.tan_half_x, f.tan_half_y), size(f.half_size), shift = glm::abs(glm::dvec2(f.shift));
+    const double n(f.z_near), z_far(f.z_far), t = tangents.x * tangents.x + tangents.y * tangents.y;
+    const double s = glm::dot(shift, shift), leaning = glm::dot(size, tangents);
+    const glm::dvec2 at_near = size + n * tangents, at_far = size + z_far * tangents;
+    // where corners near and far are as far away, upright; then what the shift adds to it
+    const double upright = (n + z_far) * (1.0 + t) / 2.0 + leaning, lean = s * (z_far - n);
+    const double turned = lean * (z_far + n) + 2.0 * (glm::dot(shift, at_far) * z_far + glm::dot(shift, at_near) * n) -
+                          2.0 * upright * (lean + glm::dot(shift, at_far + at_near));
+    const double center =
+        detail::lesser(z_far, upright + turned / (2.0 * (z_far - n + lean + glm::dot(shift, at_far + at_near))));
+    const double beyond = z_far - center;
+    const double more =
+        beyond * (s * beyond + 2.0 * glm::dot(shift, at_far)) + 2.0 * z_far * leaning + glm::dot(size, size);
+    return {glm::dvec3(f.position) + axes * glm::dvec3(glm::dvec2(f.shift) * center, center),
+            std::sqrt(beyond * beyond + z_far * z_far * t + more)};
 }
 
 namespace detail {
@@ -211,12 +151,14 @@ public:
     convex_body(const frustum<T>& f) {
         const glm::dmat3 axes = detail::axes(f, "polyhedron");
         const double x(f.tan_half_x), y(f.tan_half_y);
+        const glm::dvec2 shift(f.shift), size(f.half_size);
         const auto plane = [&](glm::dvec3 normal, double offset) {
             const glm::dvec3 n = axes * normal;
             return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
         };
         add_faces(corners_for("polyhedron", f),
-                  {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
+                  {plane({1, 0, x - shift.x}, size.x), plane({-1, 0, x + shift.x}, size.x),
+                   plane({0, 1, y - shift.y}, size.y), plane({0, -1, y + shift.y}, size.y),
                    plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
     }
 

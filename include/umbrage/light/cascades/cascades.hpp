@@ -38,7 +38,7 @@ struct cascade {
 
 template <real T = float>
 struct cascade_fit {
-    frustum<T> camera{};                           ///< but for its planes, in place of which there are splits
+    frustum<T> camera{};                           ///< of any kind; but for its planes, in place of which are splits
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
     bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
@@ -84,13 +84,8 @@ template <std::size_t Count, real T>
     std::array<frustum<double>, Count> parts;
     for (std::size_t i = 0; i < Count; ++i) {
         const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
-        parts[i] = {glm::dvec3(fit.camera.position),
-                    glm::dvec3(fit.camera.direction),
-                    glm::dvec3(fit.camera.up),
-                    double(fit.camera.tan_half_x),
-                    double(fit.camera.tan_half_y),
-                    double(splits[i]) - double(fit.overlap) * before,
-                    double(splits[i + 1])};
+        parts[i] = in_double(fit.camera);
+        parts[i].z_near = double(splits[i]) - double(fit.overlap) * before, parts[i].z_far = double(splits[i + 1]);
         require_frustum(parts[i], function, "camera");
     }
     return parts;

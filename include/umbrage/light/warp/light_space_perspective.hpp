@@ -40,7 +40,7 @@ struct along_view {
     double length;     ///< from their least y to the greatest
     double camera_y;
     double closest;  ///< least distance of receivers along the camera's view, no less than its near plane
-    double sine;     ///< of the angle between view and light
+    double sine;     ///< of the angle between view and light; 0 for an orthographic camera
 };
 
 template <real T>
@@ -48,7 +48,8 @@ template <real T>
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
     const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera, function, "camera")[2];
-    v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
+    // what an orthographic camera sees afar is no smaller: no warp, as where both look one way
+    v.sine = is_perspective(fit.camera) ? glm::length(glm::cross(view, unit(glm::dvec3(fit.direction)))) : 0.0;
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
     const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
@@ -122,8 +123,8 @@ template <real T = float>
 ///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: near the best
 ///                   on a ground, whose depth on the screen is foreshortened, if it is seen from there on; too small
 ///                   where nothing is for long: see seen_range
-/// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
-///                   from there to 0.2 the warp grows, without a jump
+/// @return           strength 0, which is no warp, for orthographic cameras and where the sine of the angle between
+///                   view and light is 0.02 or less; from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
 ///                                casters that are no box, a margin out of range, distance not above 0, and what gives
 ///                                matrices that are not finite

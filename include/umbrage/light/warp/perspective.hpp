@@ -44,7 +44,7 @@ enum class light_image {
     source,    ///< a light before the camera: rays leave a point
     sink,      ///< one behind it: they end in a point
     parallel,  ///< one abreast of it: they stay parallel, or nearly
-    none       ///< a point amid the receivers, or too close to them: not warped so
+    none       ///< a point amid the receivers, or too close to them, or no perspective: not warped so
 };
 
 template <real T>
@@ -55,9 +55,8 @@ struct perspective_light : warped_light<T> {
 namespace detail {
 
 /// World to a camera's NDC, in double: the camera moved back, its planes around points.
-template <real T>
-[[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
-                                   const char* function) {
+[[nodiscard]] inline glm::dmat4 slid_back(const frustum<double>& camera, const std::vector<glm::dvec3>& points,
+                                          double slide, const char* function) {
     const glm::dvec3 eye(camera.position), ahead = axes(camera, function, "camera")[2];
     double least = highest<double>, greatest = -least;
     for (const glm::dvec3& p : points) {
@@ -70,9 +69,10 @@ template <real T>
             "near enough to the camera for finite distances", glm::dvec2(z_near, z_far));
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
-    return perspective(double(camera.tan_half_x), double(camera.tan_half_y), z_near, z_far, opengl_clip_space,
-                       function) *
-           view;
+    const glm::dvec2 tangents(camera.tan_half_x, camera.tan_half_y);
+    glm::dmat4 projection = perspective(tangents.x, tangents.y, z_near, z_far, opengl_clip_space, function);
+    projection[2] += glm::dvec4(camera.shift / tangents, 0.0, 0.0);
+    return projection * view;
 }
 
 /// The least and the greatest of angles under which points lie, in x and in y, z ahead.
@@ -176,8 +176,9 @@ template <real T, class Instead>
                                                   const glm::dmat4& frame, const glm::dmat4& stand_in,
                                                   Instead&& instead) {
     require(is_normal(slide) && slide > T(0), function, "slide", "above 0 and finite", slide);
+    if (!is_perspective(fit.camera)) return {instead(), light_image::none};
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
-    const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
+    const glm::dmat4 to_ndc = slid_back(of_one_eye(fit.camera, function), receivers, double(slide), function);
     const glm::dvec4 image = to_ndc * light;
     std::vector<glm::dvec3> in_ndc;
     for (const glm::dvec3& p : receivers) {

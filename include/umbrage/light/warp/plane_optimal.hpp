@@ -72,14 +72,15 @@ template <real T>
     // along the light onto the plane, and from there onto the screen; heights over the plane are depth
     const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
     const glm::dmat3 camera = axes(fit.camera, function, "camera");
+    const frustum<double> eye = of_one_eye(fit.camera, function);
+    const bool shrinks = is_perspective(eye);
+    const glm::dvec2 size = shrinks ? glm::dvec2(eye.tan_half_x, eye.tan_half_y) : eye.half_size;
+    const auto row = [&](const glm::dvec3& a) { return glm::dvec4(a, -glm::dot(a, eye.position)) * cast; };
     glm::dmat4 rows;
-    const auto row = [&](const glm::dvec3& a) {
-        return glm::dvec4(a, -glm::dot(a, glm::dvec3(fit.camera.position))) * cast;
-    };
-    rows[0] = row(camera[0] / double(fit.camera.tan_half_x));
-    rows[1] = row(camera[1] / double(fit.camera.tan_half_y));
+    rows[0] = row((camera[0] - eye.shift.x * camera[2]) / size.x);
+    rows[1] = row((camera[1] - eye.shift.y * camera[2]) / size.y);
     rows[2] = -ground;
-    rows[3] = row(camera[2]);
+    rows[3] = shrinks ? row(camera[2]) : glm::dvec4(0, 0, 0, 1) * cast;
     const glm::dmat4 to_map = glm::transpose(rows);
 
     double least = highest<double>, greatest = 0.0;
@@ -87,8 +88,9 @@ template <real T>
         const double w = (to_map * glm::dvec4(p, 1.0)).w;
         least = lesser(least, w), greatest = greater(greatest, w);
     }
-    const double eye = glm::dot(ground, glm::dvec4(glm::dvec3(fit.camera.position), 1.0));
-    if (!(least > 0.0 && glm::abs(eye) > 1e-6 * greatest)) return {};
+    const double above = shrinks ? glm::dot(ground, glm::dvec4(eye.position, 1.0))
+                                 : glm::dot(glm::dvec3(ground), camera * glm::dvec3(eye.shift, 1.0));
+    if (!(least > 0.0 && glm::abs(above) > 1e-6 * greatest)) return {};
     const double edge = 1.0 + 2.0 * double(fit.margin);
     // w is a plane's point's, by a share that a point light takes away on the way towards it
     const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);

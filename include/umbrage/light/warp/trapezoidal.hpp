@@ -26,8 +26,8 @@ namespace umbrage {
 /// @param focus   distance along the camera's view up to which four fifths of the map are for, world units, >= 0;
 ///                receivers that begin behind it get the strongest warp there is; none where four fifths of the
 ///                receivers lie before it
-/// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
-///                from there to 0.2 the warp grows, without a jump
+/// @return        strength 0, which is no warp, for orthographic cameras and where the sine of the angle between view
+///                and light is 0.02 or less; from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
 ///                                casters that are no box, a margin out of range, focus negative or not finite, and
 ///                                what gives matrices that are not finite
