@@ -36,8 +36,9 @@
 namespace umbrage {
 
 /// The maps of a light in one image.
-/// @tparam Light   cascade_uniforms<float>: 2 x 2 tiles, those of no cascade unused; point_light<float>: 3 x 2 tiles,
-///                 cube_tile; tetrahedron_light<float>: one square; dual_paraboloid_light<float>: 2 x 1 tiles
+/// @tparam Light   cascade_uniforms<float>: 2 x 2 tiles, those of no cascade unused; grouped_cascade_uniforms<float, N>:
+///                 two tiles a row; point_light<float>: 3 x 2 tiles, cube_tile; tetrahedron_light<float>: one square;
+///                 dual_paraboloid_light<float>: 2 x 1 tiles
 template <class Texel, class Light>
 struct light_map {
     image_view<const Texel> texels;
@@ -56,20 +57,32 @@ struct placed_receiver {
     glm::vec3 at;     ///< in texels of the tile, depth
 };
 
-/// The first cascade that holds a point and its filter; none: lit.
+/// The first cascade that holds a point and its filter, of groups of four; none: lit.
+template <std::size_t Count>
 struct cascade_placing {
-    static constexpr int columns = 2, rows = 2;  // of tiles
-    cascade_uniforms<float> u;
+    static constexpr int columns = 2, rows = static_cast<int>(Count + 1) / 2;  // of tiles
+    glm::mat4 rotation;
+    std::array<glm::mat4, (Count + 3) / 4> scales, offsets;
     glm::ivec2 size;
     float reach;
 
-    cascade_placing(const cascade_uniforms<float>& uniforms, glm::ivec2 texels, float filter_reach)
-        : u(uniforms), size(texels / glm::ivec2(columns, rows)), reach(filter_reach) {}
+    template <class Uniforms>
+    cascade_placing(const Uniforms& u, glm::ivec2 texels, float filter_reach)
+        : rotation(u.rotation),
+          scales{u.scales},
+          offsets{u.offsets},
+          size(texels / glm::ivec2(columns, rows)),
+          reach(filter_reach) {}
     [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
-        const glm::vec3 light(shadow_coordinate(u.rotation, world));
-        const glm::vec4 at = cascade_by_projection(light, u.scales, u.offsets, glm::vec2(size), reach);
-        const int number = static_cast<int>(at.w);
-        return {cascade_tile(number < 3 ? number : 3, size), glm::vec3(at)};
+        const glm::vec3 light(shadow_coordinate(rotation, world));
+        glm::vec4 at(0.0f);
+        int number = 0;
+        for (std::size_t i = 0; i < scales.size() && number == static_cast<int>(4 * i); ++i) {
+            at = cascade_by_projection(light, scales[i], offsets[i], glm::vec2(size), reach);
+            number += static_cast<int>(at.w);
+        }
+        constexpr int last = static_cast<int>(Count) - 1;
+        return {cascade_tile(number < last ? number : last, size), glm::vec3(at)};
     }
 };
 
@@ -125,9 +138,13 @@ struct paraboloid_placing {
 
 template <class Light>
 struct placing_of;
+template <std::size_t Count>
+struct placing_of<grouped_cascade_uniforms<float, Count>> {
+    using type = cascade_placing<Count>;
+};
 template <>
 struct placing_of<cascade_uniforms<float>> {
-    using type = cascade_placing;
+    using type = cascade_placing<4>;
 };
 template <>
 struct placing_of<point_light<float>> {

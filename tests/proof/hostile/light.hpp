@@ -51,9 +51,12 @@ void each_of_light(const Run& run, const Fetch& fetch) {
         "cascade_column", 1, [](source& s) { return float(s.below(5)); },
         [](float number) { return cascade_column(glm::mat4(1.0f), number); });
     run(
+        "cascade_column_8", 1, [](source& s) { return float(s.below(9)); },
+        [](float number) { return cascade_column_8(glm::mat4(1.0f), glm::mat4(2.0f), number); });
+    run(
         "cascade_tile", 1,
         [](source& s) {
-            const int number = static_cast<int>(s.below(4)), width = static_cast<int>(s.below(4096));
+            const int number = static_cast<int>(s.below(8)), width = static_cast<int>(s.below(4096));
             return glm::ivec3(number, width, s.below(4096));
         },
         [](glm::ivec3 v) {

@@ -124,6 +124,25 @@ TEST_CASE("visibility of a light's maps: cascades") {
     }
 }
 
+TEST_CASE("visibility of a light's maps: more than four cascades") {
+    for (const clip_space clip : {forward_clip, reversed_clip}) {
+        const glm::ivec2 size(64, 48);
+        const cascade_fit<float> fit{.camera = {.position = {0, 1, 6}, .direction = {0, 0, -1}},
+                                     .direction = {0.3f, -1, -0.2f},
+                                     .scene = {glm::vec3(-6), glm::vec3(6)},
+                                     .map_size = size,
+                                     .clip = clip};
+        const auto u =
+            make_cascade_uniforms(make_stable_cascades<7>(fit, practical_splits<7>(0.5f, 14.0f, 0.5f)), 0.0f);
+        check(u, size, {2, 4}, clip.direction, [&](glm::vec3 world, const auto& filter, const auto& tile) {
+            const glm::vec3 light(shadow_coordinate(u.rotation, world));
+            const glm::vec4 at = cascade_by_projection_8(light, u.scales[0], u.offsets[0], u.scales[1], u.offsets[1],
+                                                         glm::vec2(size), filter.reach());
+            return filter(tile(cascade_tile(std::min(static_cast<int>(at.w), 6), size)), glm::vec2(at), at.z);
+        });
+    }
+}
+
 TEST_CASE("visibility of a light's maps: a cube") {
     for (const clip_space clip : {forward_clip, reversed_clip}) {
         const point_light<float> light{

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
@@ -205,35 +206,78 @@ template <real T>
     return width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
 }
 
+template <real T>
+void require_fade(T fade) {
+    require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
+}
+
+/// How many threes hold the ends of cascades but the last.
+template <std::size_t Count>
+inline constexpr std::size_t ends_groups = Count < 3 ? 1 : (Count + 1) / 3;
+
+/// The ends of cascades but the last, three at a time, filled up with the highest number.
+template <real T, class Cascade, std::size_t Count>
+[[nodiscard]] std::array<glm::vec<3, T>, ends_groups<Count>> ends_of(const std::array<Cascade, Count>& cascades) {
+    std::array<glm::vec<3, T>, ends_groups<Count>> ends;
+    ends.fill(glm::vec<3, T>(highest<T>));
+    for (std::size_t i = 0; i + 1 < Count; ++i) ends[i / 3][static_cast<glm::length_t>(i % 3)] = cascades[i].end;
+    return ends;
+}
+
+/// Scales and offsets of up to four cascades; what is not there holds no point.
+template <real T>
+void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>& scales, glm::mat<4, 4, T>& offsets) {
+    scales = offsets = glm::mat<4, 4, T>(T(0));
+    for (glm::length_t i = 0; i < 4; ++i) {
+        if (static_cast<std::size_t>(i) >= cascades.size()) {
+            offsets[i] = {T(65536), T(65536), T(0), T(0)};
+            continue;
+        }
+        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
+        const glm::vec<2, T> fades = fade_of(c.begin, c.end, fade);
+        scales[i] = glm::vec<4, T>(glm::vec<3, T>(c.scale), fades.x);
+        offsets[i] = glm::vec<4, T>(glm::vec<3, T>(c.offset), fades.y);
+    }
+}
+
 }  // namespace detail
 
-/// Uniforms of up to four cascades: cascade_column and cascade_by_projection take no more. Warped cascades have a
-/// matrix each, and uniforms of any number: warped.hpp.
+/// Uniforms of up to four cascades, as cascade_column and cascade_by_projection take them. Warped cascades have a matrix
+/// each: warped.hpp.
 /// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
 ///               overlap must have been asked for
 /// @return       where there are fewer than four, nothing falls into the others by depth or by projection
 /// @throws std::invalid_argument  fade out of range
 template <real T, std::size_t Count>
-[[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
-    static_assert(Count >= 1 && Count <= 4,
-                  "make_cascade_uniforms takes one to four cascades, as cascade_column and cascade_by_projection do");
-    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
+requires(Count >= 1 && Count <= 4)
+    [[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
+    detail::require_fade(fade);
     cascade_uniforms<T> u;
     u.rotation = cascades[0].light.view;
-    u.ends = glm::vec<3, T>(detail::highest<T>);
-    for (glm::length_t i = 0; i < 4; ++i) {
-        if (i >= static_cast<glm::length_t>(Count)) {
-            u.offsets[i] = {T(65536), T(65536), T(0), T(0)};
-            continue;
-        }
-        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
-        u.scales[i] = c.scale;
-        u.offsets[i] = c.offset;
-        const glm::vec<2, T> fades = detail::fade_of(c.begin, c.end, fade);
-        u.scales[i].w = fades.x;
-        u.offsets[i].w = fades.y;
-        if (i + 1 < static_cast<glm::length_t>(Count)) u.ends[i] = c.end;
-    }
+    u.ends = detail::ends_of<T>(cascades)[0];
+    detail::set_columns<T>(cascades, fade, u.scales, u.offsets);
+    return u;
+}
+
+/// What a shader of five and more cascades takes, in groups of four: cascade_column_8 and cascade_by_projection_8.
+template <real T, std::size_t Count>
+struct grouped_cascade_uniforms {
+    glm::mat<4, 4, T> rotation{T(1)};                                ///< as cascade_uniforms has it
+    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< of four cascades each, as there
+    /// Of the cascades but the last, three at a time: the sum of cascade_by_depth over them is a cascade's number.
+    std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
+};
+
+/// Uniforms of five and more cascades: their first four are those of cascade_uniforms. The rest as there.
+template <real T, std::size_t Count>
+requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascade_uniforms(
+    const std::array<cascade<T>, Count>& cascades, T fade) {
+    detail::require_fade(fade);
+    grouped_cascade_uniforms<T, Count> u;
+    u.rotation = cascades[0].light.view;
+    u.ends = detail::ends_of<T>(cascades);
+    for (std::size_t i = 0; i < u.scales.size(); ++i)
+        detail::set_columns<T>(std::span(cascades).subspan(4 * i), fade, u.scales[i], u.offsets[i]);
     return u;
 }
 

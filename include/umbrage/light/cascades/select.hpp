@@ -16,6 +16,12 @@
 //
 //     layout(std140, row_major) uniform cascades { mat4 to_texels[4]; vec3 ends; };
 //     vec3 at = umbrage_shadow_coordinate(to_texels[int(number)], world).xyz;
+//
+// Of five to eight cascades, as grouped_cascade_uniforms has them:
+//
+//     float number = 0;
+//     for (const glm::vec3& ends : u.ends) number += umbrage::cascade_by_depth(view_depth, ends);
+//     glm::vec4 scale = umbrage::cascade_column_8(u.scales[0], u.scales[1], number);
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -89,8 +95,32 @@ template <real T>
     return {T(65536), T(65536), T(0), T(4)};
 }
 
-/// First texel of a cascade in an atlas of 2 x 2 tiles.
-/// @param number   0 .. 3;   size  of a tile, in texels
+/// One of eight columns, of five to eight cascades: grouped_cascade_uniforms.
+/// @param nearer, farther   four columns each;   number  0 .. 7; above 7 the last
+/// @exactness               A
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> cascade_column_8(const glm::mat<4, 4, T>& nearer,
+                                                        const glm::mat<4, 4, T>& farther, T number) {
+    return number < T(3.5) ? cascade_column(nearer, number) : cascade_column(farther, number - T(4));
+}
+
+/// cascade_by_projection of up to eight cascades, in groups of four.
+/// @return        number 8 where none holds the point: shaders read layer min(number, 7)
+/// @exactness     B, n = 4: S as cascade_coordinate and inside_cascade
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection_8(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
+                                                               const glm::mat<4, 4, T>& offsets,
+                                                               const glm::mat<4, 4, T>& farther_scales,
+                                                               const glm::mat<4, 4, T>& farther_offsets,
+                                                               glm::vec<2, T> size, T reach) {
+    const glm::vec<4, T> nearer = cascade_by_projection(light, scales, offsets, size, reach);
+    if (nearer.w < T(4)) return nearer;
+    const glm::vec<4, T> farther = cascade_by_projection(light, farther_scales, farther_offsets, size, reach);
+    return {farther.x, farther.y, farther.z, farther.w + T(4)};
+}
+
+/// First texel of a cascade in an atlas of two tiles a row.
+/// @param number   0 or above, whole;   size  of a tile, in texels
 /// @exactness      A
 [[nodiscard]] inline glm::ivec2 cascade_tile(int number, glm::ivec2 size) {
     return glm::ivec2(number % 2, number / 2) * size;
@@ -186,21 +216,57 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRA
 )GLSL",
 };
 
+inline constexpr snippet cascade_column_8{
+    .name = "cascade_column_8",
+    .summary = "one of eight columns, without an index",
+    .exactness = tier::a,
+    .needs = list<&cascade_column>,
+    .source = R"GLSL(
+// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+UMBRAGE_HIGHP vec4 umbrage_cascade_column_8(UMBRAGE_HIGHP mat4 nearer, UMBRAGE_HIGHP mat4 farther,
+                                            UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 low = umbrage_cascade_column(nearer, number);
+    UMBRAGE_HIGHP vec4 high = umbrage_cascade_column(farther, number - 4.0);
+    return number < 3.5 ? low : high;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_by_projection_8{
+    .name = "cascade_by_projection_8",
+    .summary = "first of eight cascades that holds a point and its filter",
+    .exactness = tier::b,
+    .operations = 4,
+    .needs = list<&cascade_by_projection>,
+    .source = R"GLSL(
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection_8(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
+                                                   UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
+                                                   UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec2 size,
+                                                   UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec4 nearer = umbrage_cascade_by_projection(light, scales, offsets, size, reach);
+    UMBRAGE_HIGHP vec4 farther = umbrage_cascade_by_projection(light, farther_scales, farther_offsets, size, reach);
+    return nearer.w < 3.5 ? nearer : vec4(farther.x, farther.y, farther.z, farther.w + 4.0);
+}
+)GLSL",
+};
+
 inline constexpr snippet cascade_tile{
     .name = "cascade_tile",
     .summary = "first texel of a cascade in an atlas",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
+// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
 UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 size) {
-    UMBRAGE_HIGHP float row = number < 1.5 ? 0.0 : 1.0;
+    UMBRAGE_HIGHP float row = floor(number * 0.5);
     return vec2(number - row * 2.0, row) * size;
 }
 )GLSL",
 };
 
-inline constexpr const snippet* select_snippets[]{&cascade_by_depth, &cascade_column,        &cascade_coordinate,
-                                                  &inside_cascade,   &cascade_by_projection, &cascade_tile};
+inline constexpr const snippet* select_snippets[]{&cascade_by_depth,        &cascade_column, &cascade_column_8,
+                                                  &cascade_coordinate,      &inside_cascade, &cascade_by_projection,
+                                                  &cascade_by_projection_8, &cascade_tile};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -78,7 +78,7 @@ struct warped_cascade_uniforms {
     std::array<glm::mat<4, 4, T>, Count> to_texels;  ///< world to each map, for shadow_coordinate
     /// Of the cascades but the last, three at a time, filled up with the highest float: the sum of cascade_by_depth
     /// over all of them is a cascade's number.
-    std::array < glm::vec<3, T>, Count<4 ? 1 : (Count + 1) / 3> ends;
+    std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
     std::array<glm::vec<2, T>, Count> fades;  ///< scale and offset of cascade_fade
 };
 
@@ -92,14 +92,13 @@ template <real T, std::size_t Count>
     constexpr auto function = "make_cascade_uniforms";
     static_assert(Count >= 1);
     detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
-    detail::require(fade >= T(0) && fade <= T(1), function, "fade", "from 0 to 1", fade);
+    detail::require_fade(fade);
     warped_cascade_uniforms<T, Count> u;
-    u.ends.fill(glm::vec<3, T>(detail::highest<T>));
+    u.ends = detail::ends_of<T>(cascades);
     for (std::size_t i = 0; i < Count; ++i) {
         const warped_cascade<T>& c = cascades[i];
         u.to_texels[i] = texture_matrix(c.light, map_size);
         u.fades[i] = detail::fade_of(c.begin, c.end, fade);
-        if (i + 1 < Count) u.ends[i / 3][static_cast<glm::length_t>(i % 3)] = c.end;
     }
     return u;
 }

@@ -98,9 +98,48 @@ TEST_CASE("cascade_by_projection: a NaN is in none, and what is in none is lit")
     CHECK(hard(clamped(dark), glm::vec2(found), found.z) == 1.0f);
 }
 
-TEST_CASE("cascade_tile: four tiles, two in a row") {
+TEST_CASE("cascade_column_8: the column of that number") {
+    glm::mat4 m[2];
+    for (int i = 0; i < 8; ++i) m[i / 4][i % 4] = glm::vec4(static_cast<float>(i), 7.0f, 8.0f, 9.0f);
+    for (float number = 0; number < 8; ++number) CHECK(cascade_column_8(m[0], m[1], number).x == number);
+    CHECK(cascade_column_8(m[0], m[1], 8.0f).x == 7.0f);
+}
+
+TEST_CASE("cascade_by_projection_8: the first of eight that holds a point, as each by itself") {
+    const glm::vec2 size(64, 48);
+    glm::mat4 scales[2]{glm::mat4(0), glm::mat4(0)}, offsets[2]{glm::mat4(0), glm::mat4(0)};
+    for (int k = 0; k < 8; ++k) {
+        const float scale = 16.0f / static_cast<float>(1 << k);
+        scales[k / 4][k % 4] = glm::vec4(scale, scale, 0.02f, 0.0f);
+        offsets[k / 4][k % 4] = glm::vec4(32.0f, 24.0f, 0.5f, 0.0f);
+    }
+    int seen[9]{};
+    for (float x = -200; x < 200; x += 0.75f) {
+        const glm::vec3 light(x, x * 0.25f, 1);
+        const glm::vec4 found =
+            cascade_by_projection_8(light, scales[0], offsets[0], scales[1], offsets[1], size, 1.5f);
+        int number = 0;
+        for (; number < 8; ++number)
+            if (inside_cascade(
+                    cascade_coordinate(light, scales[number / 4][number % 4], offsets[number / 4][number % 4]), size,
+                    1.5f))
+                break;
+        CHECK(found.w == static_cast<float>(number));
+        ++seen[number];
+        if (number < 8)
+            CHECK(glm::vec3(found) ==
+                  cascade_coordinate(light, scales[number / 4][number % 4], offsets[number / 4][number % 4]));
+    }
+    CHECK(seen[7] > 0);
+    const glm::vec4 none =
+        cascade_by_projection_8(glm::vec3(1e9f), scales[0], offsets[0], scales[1], offsets[1], size, 1.5f);
+    CHECK(none == glm::vec4(65536, 65536, 0, 8));
+}
+
+TEST_CASE("cascade_tile: tiles, two in a row") {
     CHECK(cascade_tile(0, {16, 8}) == glm::ivec2(0, 0));
     CHECK(cascade_tile(1, {16, 8}) == glm::ivec2(16, 0));
     CHECK(cascade_tile(2, {16, 8}) == glm::ivec2(0, 8));
     CHECK(cascade_tile(3, {16, 8}) == glm::ivec2(16, 8));
+    CHECK(cascade_tile(7, {16, 8}) == glm::ivec2(16, 24));
 }

@@ -13,11 +13,11 @@ namespace {
 using namespace umbrage;
 
 /// A number of a cascade in x0.w.
-std::vector<input_class> numbered(std::vector<input_class> classes) {
+std::vector<input_class> numbered(std::vector<input_class> classes, std::uint32_t count = 4) {
     for (input_class& c : classes)
-        c.fill = [fill = c.fill](std::uint64_t i, random& r, sample& s) {
+        c.fill = [fill = c.fill, count](std::uint64_t i, random& r, sample& s) {
             fill(i, r, s);
-            s.x[0].w = static_cast<float>(r.below(4));
+            s.x[0].w = static_cast<float>(r.below(count));
         };
     return classes;
 }
@@ -45,6 +45,14 @@ std::vector<input_class> nested() {
 glm::mat4 scales(const sample& s) {
     const vec2 xy(s.x[1]);
     return {s.x[1], vec4(xy * 0.5f, 1.0f, 0.0f), vec4(xy * 0.25f, 1.0f, 0.0f), vec4(xy * 0.125f, 1.0f, 0.0f)};
+}
+
+/// Of the next four, whose depths are those of points eight times as far.
+glm::mat4 farther_scales(const sample& s) {
+    glm::mat4 m(0.0f);
+    for (glm::length_t i = 0; i < 4; ++i)
+        m[i] = vec4(vec2(s.x[1]) * std::ldexp(1.0f, -4 - static_cast<int>(i)), 0.125f, 0.0f);
+    return m;
 }
 
 /// A whole look-up: cascades of x2, x4 and x3, x5 in turn, chosen by a view depth and ends in x1; without its twin.
@@ -126,6 +134,16 @@ void add_light_cascades_select(std::vector<entry>& all) {
          .classes = numbered(spread(std::vector<range>(20, range{-9.0f, 9.0f}), special_values())),
          .twin = [](const sample& s) { return cascade_column(glm::mat4(s.x[1], s.x[2], s.x[3], s.x[4]), s.x[0].w); },
          .call = "umbrage_cascade_column(mat4(x1, x2, x3, x4), x0.w)"});
+    all.push_back({.primitive = &glsl::cascade_column_8,
+                   .classes = numbered(spread(std::vector<range>(24, range{-9.0f, 9.0f}), special_values()), 8),
+                   .twin =
+                       [](const sample& s) {
+                           return cascade_column_8(glm::mat4(s.x[1], s.x[2], s.x[3], s.x[4]),
+                                                   glm::mat4(s.x[5], s.x[4] * 2.0f, s.x[3] * 2.0f, s.x[2] * 2.0f),
+                                                   s.x[0].w);
+                       },
+                   .call = "umbrage_cascade_column_8(mat4(x1, x2, x3, x4), mat4(x5, x4 * 2.0, x3 * 2.0, x2 * 2.0), "
+                           "x0.w)"});
     all.push_back({.primitive = &glsl::cascade_coordinate,
                    .classes = spread(std::vector<range>(12, range{-999.0f, 999.0f}), special_values()),
                    .twin = [](const sample& s) { return vec4(cascade_coordinate(vec3(s.x[0]), s.x[1], s.x[2]), 1.0f); },
@@ -146,6 +164,9 @@ void add_light_cascades_select(std::vector<entry>& all) {
     const std::string columns =
         "mat4(x1, vec4(vec2(x1.x, x1.y) * 0.5, 1.0, 0.0), vec4(vec2(x1.x, x1.y) * 0.25, 1.0, 0.0), "
         "vec4(vec2(x1.x, x1.y) * 0.125, 1.0, 0.0))";
+    const std::string farther =
+        "mat4(vec4(vec2(x1.x, x1.y) * 0.0625, 0.125, 0.0), vec4(vec2(x1.x, x1.y) * 0.03125, 0.125, 0.0), "
+        "vec4(vec2(x1.x, x1.y) * 0.015625, 0.125, 0.0), vec4(vec2(x1.x, x1.y) * 0.0078125, 0.125, 0.0))";
     all.push_back({.primitive = &glsl::cascade_by_projection,
                    .classes = nested(),
                    .twin =
@@ -156,8 +177,19 @@ void add_light_cascades_select(std::vector<entry>& all) {
                        },
                    .call = "umbrage_cascade_by_projection(vec3(x0.x, x0.y, x0.z), " + columns +
                            ", mat4(x2, x3, x4, x5), vec2(64.0, 64.0), x0.w)"});
+    all.push_back({.primitive = &glsl::cascade_by_projection_8,
+                   .classes = nested(),
+                   .twin =
+                       [](const sample& s) {
+                           const glm::mat4 offsets(s.x[2], s.x[3], s.x[4], s.x[5]);
+                           return cascade_by_projection_8(vec3(s.x[0]) * 8.0f, scales(s), offsets, farther_scales(s),
+                                                          glm::mat4(s.x[5], s.x[4], s.x[3], s.x[2]), vec2(64.0f),
+                                                          s.x[0].w);
+                       },
+                   .call = "umbrage_cascade_by_projection_8(vec3(x0.x, x0.y, x0.z) * 8.0, " + columns +
+                           ", mat4(x2, x3, x4, x5), " + farther + ", mat4(x5, x4, x3, x2), vec2(64.0, 64.0), x0.w)"});
     all.push_back({.primitive = &glsl::cascade_tile,
-                   .classes = numbered(spread({{0.0f, 1.0f}}, special_values())),
+                   .classes = numbered(spread({{0.0f, 1.0f}}, special_values()), 8),
                    .twin =
                        [](const sample& s) {
                            return vec4(vec2(cascade_tile(static_cast<int>(s.x[0].w), {512, 256})), 0.0f, 1.0f);

@@ -102,6 +102,41 @@ TEST_CASE("make_tight_cascades: a camera that looks away from the scene has casc
     }
 }
 
+TEST_CASE_TEMPLATE("make_cascade_uniforms: of five to nine cascades, in groups, each has what it has by itself", T,
+                   float, double) {
+    const auto check = [&]<std::size_t Count>() {
+        const cascade_fit<T> fit{.scene = bounding_box<T>{glm::vec<3, T>(-50), glm::vec<3, T>(50)},
+                                 .overlap = T(0.2),
+                                 .clip = cpu_clip_space};
+        std::array<T, Count + 1> splits;
+        for (std::size_t i = 0; i <= Count; ++i) splits[i] = T(1 + i * i);
+        const auto all = make_stable_cascades<Count>(fit, splits);
+        const auto u = make_cascade_uniforms(all, T(0.2));
+        CHECK(u.rotation == all[0].light.view);
+        for (std::size_t i = 0; i < Count; ++i) {
+            T number = 0;
+            for (const auto& ends : u.ends) number += cascade_by_depth((splits[i] + splits[i + 1]) / 2, ends);
+            CHECK(number == T(i));
+            const auto column = static_cast<glm::length_t>(i % 4);
+            const auto alone = make_cascade_uniforms(std::array{all[i]}, T(0.2));
+            CHECK(u.scales[i / 4][column] == alone.scales[0]);
+            CHECK(u.offsets[i / 4][column] == alone.offsets[0]);
+        }
+        for (std::size_t i = Count; i < 4 * u.scales.size(); ++i)
+            CHECK(u.offsets[i / 4][static_cast<glm::length_t>(i % 4)].x == T(65536));
+        const auto four = make_cascade_uniforms(std::array{all[0], all[1], all[2], all[3]}, T(0.2));
+        CHECK(u.scales[0] == four.scales);
+        CHECK(u.offsets[0] == four.offsets);
+        T beyond = 0;
+        for (const auto& ends : u.ends) beyond += cascade_by_depth(T(1e30), ends);
+        CHECK(beyond == T(Count - 1));
+    };
+    check.template operator()<5>();
+    check.template operator()<7>();
+    check.template operator()<8>();
+    check.template operator()<9>();
+}
+
 TEST_CASE("make_cascade_uniforms: the next cascade fades in over the last share of each") {
     const auto all = make_stable_cascades<3>(
         cascade_fit<double>{.scene = bounding_box<double>{}, .overlap = 0.2, .clip = cpu_clip_space},
