@@ -103,8 +103,8 @@ template <real T>
 /// With snap_texels the box has the map's aspect, so that texels are squares of the world, and is a texel wider. Its
 /// texels lie on a grid of the world wherever the receivers move, as long as their extent keeps its bits: a sphere's
 /// does. Its depths then span the casters' whole box, and go beyond it in steps of the box's longer side. For a grid
-/// that keeps its place to a hundredth of a texel far from the origin, compute the texture matrix in double and round
-/// that.
+/// that keeps its place to a hundredth of a texel far from the origin, fit in double and take the texture matrix of an
+/// origin.
 ///
 /// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
 /// or of one around the origin.

@@ -5,6 +5,12 @@
 //     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
 //     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
 //
+// Far from the world's origin, of a light in double and points that are told from an origin near the camera:
+//
+//     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024}, origin);
+//     draw_depths(umbrage::relative_to(light, origin));
+//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, glm::vec3(world - origin)));
+//
 #pragma once
 
 #include <array>
@@ -45,6 +51,35 @@ template <real T>
     detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "such that their matrix is finite",
                     m);
     return m;
+}
+
+/// Points relative to an origin to texels and depth: the product in double, rounded once.
+///
+/// Origins may differ from frame to frame: a point of the world keeps its place in a stable map to 1/100 texel while it
+/// and the map are within 10,000 texels of each.
+/// @param origin   world; near the camera, as an engine's floating origin is
+/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite in float
+[[nodiscard]] inline glm::mat4 texture_matrix(const light_space<double>& light, glm::ivec2 map_size,
+                                              glm::dvec3 origin) {
+    glm::dmat4 m = texture_matrix(light, map_size);
+    m[3] = m * glm::dvec4(origin, 1.0);
+    const glm::mat4 rounded(m);
+    detail::require(detail::all_finite(rounded), "texture_matrix", "light, map_size and origin",
+                    "such that their matrix is finite", rounded);
+    return rounded;
+}
+
+/// A light of double for points relative to an origin, as its depth pass takes it.
+/// @param origin   world; near the camera, as an engine's floating origin is
+/// @return         a rotation for a view stays one: what is far cancels in the projection, which is then small
+/// @throws std::invalid_argument  matrices that are not finite in float
+[[nodiscard]] inline light_space<float> relative_to(const light_space<double>& light, glm::dvec3 origin) {
+    const glm::dvec4 at = light.view * glm::dvec4(origin, 1.0);
+    glm::dmat4 view = light.view, projection = light.projection;
+    const bool rotates = glm::dvec3(view[3]) == glm::dvec3(0);
+    (rotates ? projection : view)[3] = rotates ? projection * at : at;
+    return detail::checked<float>({glm::mat4(view), glm::mat4(projection), light.clip}, "relative_to",
+                                  "light and origin");
 }
 
 namespace detail {

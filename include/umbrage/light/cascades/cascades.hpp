@@ -9,6 +9,7 @@
 //     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
 //     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
 //
+// Far from the world's origin fit in double, and draw and look up relative_to(cascades, origin).
 #pragma once
 
 #include <array>
@@ -31,8 +32,7 @@ namespace umbrage {
 /// One part of the camera's range and its map.
 template <real T>
 struct cascade {
-    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for
-                                               ///< all cascades
+    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for all
     glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
     T begin = T(0), end = T(0);                ///< distances along the camera's axis
 };
@@ -187,6 +187,21 @@ template <std::size_t Count, real T>
                                                 .clip = fit.clip},
                                                function, sides, depths);
     });
+}
+
+/// Cascades for points relative to an origin near the camera, which may be another each frame: see texture_matrix.
+/// @throws std::invalid_argument  what is not finite in float
+template <std::size_t Count>
+[[nodiscard]] std::array<cascade<float>, Count> relative_to(const std::array<cascade<double>, Count>& cascades,
+                                                            glm::dvec3 origin) {
+    std::array<cascade<float>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const cascade<double>& c = cascades[i];
+        const glm::vec4 offset(c.scale * (c.light.view * glm::dvec4(origin, 0.0)) + c.offset);
+        detail::require(detail::all_finite(offset), "relative_to", "origin", "such that offsets are finite", origin);
+        all[i] = {relative_to(c.light, origin), glm::vec4(c.scale), offset, float(c.begin), float(c.end)};
+    }
+    return all;
 }
 
 /// What a shader of up to four cascades takes: see select.hpp and blend.hpp.

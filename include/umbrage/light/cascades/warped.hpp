@@ -103,4 +103,19 @@ template <real T, std::size_t Count>
     return u;
 }
 
+/// Warped cascades of double for points relative to an origin: see texture_matrix. Their depth passes take relative_to.
+/// @throws std::invalid_argument  map_size below 1, fade out of range, what is not finite in float
+template <std::size_t Count>
+[[nodiscard]] warped_cascade_uniforms<float, Count> make_cascade_uniforms(
+    const std::array<warped_cascade<double>, Count>& cascades, glm::ivec2 map_size, float fade, glm::dvec3 origin) {
+    std::array<warped_cascade<float>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const warped_cascade<double>& c = cascades[i];
+        all[i] = {relative_to(c.light, origin), float(c.strength), float(c.begin), float(c.end)};
+    }
+    auto u = make_cascade_uniforms(all, map_size, fade);
+    for (std::size_t i = 0; i < Count; ++i) u.to_texels[i] = texture_matrix(cascades[i].light, map_size, origin);
+    return u;
+}
+
 }  // namespace umbrage
