@@ -115,12 +115,16 @@ export const project_coordinate: Snippet;
 export const cascade_by_depth: Snippet;
 /** one of four columns, without an index */
 export const cascade_column: Snippet;
+/** one of eight columns, without an index */
+export const cascade_column_8: Snippet;
 /** a point in the map of one cascade */
 export const cascade_coordinate: Snippet;
 /** coordinates whose filter stays inside a cascade */
 export const inside_cascade: Snippet;
 /** first cascade that holds a point and its filter */
 export const cascade_by_projection: Snippet;
+/** first of eight cascades that holds a point and its filter */
+export const cascade_by_projection_8: Snippet;
 /** first texel of a cascade in an atlas */
 export const cascade_tile: Snippet;
 /** a weight in steps of 1/256 */

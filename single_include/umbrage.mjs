@@ -483,6 +483,15 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HI
     return number < 1.5 ? low : high;
 }
 `,
+            "cascade_column_8": `
+// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+UMBRAGE_HIGHP vec4 umbrage_cascade_column_8(UMBRAGE_HIGHP mat4 nearer, UMBRAGE_HIGHP mat4 farther,
+                                            UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 low = umbrage_cascade_column(nearer, number);
+    UMBRAGE_HIGHP vec4 high = umbrage_cascade_column(farther, number - 4.0);
+    return number < 3.5 ? low : high;
+}
+`,
             "cascade_coordinate": `
 // umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
 UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
@@ -521,11 +530,22 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRA
     return umbrage_inside_cascade(a, size, reach) ? vec4(a, 0.0) : found;
 }
 `,
+            "cascade_by_projection_8": `
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection_8(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
+                                                   UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
+                                                   UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec2 size,
+                                                   UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec4 nearer = umbrage_cascade_by_projection(light, scales, offsets, size, reach);
+    UMBRAGE_HIGHP vec4 farther = umbrage_cascade_by_projection(light, farther_scales, farther_offsets, size, reach);
+    return nearer.w < 3.5 ? nearer : vec4(farther.x, farther.y, farther.z, farther.w + 4.0);
+}
+`,
             "cascade_tile": `
-// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
-UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float size) {
-    UMBRAGE_HIGHP float row = number < 1.5 ? 0.0 : 1.0;
-    return vec2((number - row * 2.0) * size, row * size);
+// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 size) {
+    UMBRAGE_HIGHP float row = floor(number * 0.5);
+    return vec2(number - row * 2.0, row) * size;
 }
 `,
             "cascade_weight": `
@@ -4006,6 +4026,14 @@ float4 umbrage_cascade_column(float4x4 columns, float number) {
     return number < 1.5 ? low : high;
 }
 `,
+            "cascade_column_8": `
+// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+float4 umbrage_cascade_column_8(float4x4 nearer, float4x4 farther, float number) {
+    float4 low = umbrage_cascade_column(nearer, number);
+    float4 high = umbrage_cascade_column(farther, number - 4.0);
+    return number < 3.5 ? low : high;
+}
+`,
             "cascade_coordinate": `
 // umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
 float3 umbrage_cascade_coordinate(float3 light, float4 scale, float4 offset) {
@@ -4041,11 +4069,20 @@ float4 umbrage_cascade_by_projection(float3 light, float4x4 scales, float4x4 off
     return umbrage_inside_cascade(a, size, reach) ? float4(a, 0.0) : found;
 }
 `,
+            "cascade_by_projection_8": `
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+float4 umbrage_cascade_by_projection_8(float3 light, float4x4 scales, float4x4 offsets, float4x4 farther_scales,
+                                       float4x4 farther_offsets, float2 size, float reach) {
+    float4 nearer = umbrage_cascade_by_projection(light, scales, offsets, size, reach);
+    float4 farther = umbrage_cascade_by_projection(light, farther_scales, farther_offsets, size, reach);
+    return nearer.w < 3.5 ? nearer : float4(farther.x, farther.y, farther.z, farther.w + 4.0);
+}
+`,
             "cascade_tile": `
-// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
-float2 umbrage_cascade_tile(float number, float size) {
-    float row = number < 1.5 ? 0.0 : 1.0;
-    return float2((number - row * 2.0) * size, row * size);
+// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+float2 umbrage_cascade_tile(float number, float2 size) {
+    float row = floor(number * 0.5);
+    return float2(number - row * 2.0, row) * size;
 }
 `,
             "cascade_weight": `
@@ -7359,6 +7396,14 @@ inline float4 umbrage_cascade_column(metal::float4x4 columns, float number) {
     return number < 1.5 ? low : high;
 }
 `,
+            "cascade_column_8": `
+// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+inline float4 umbrage_cascade_column_8(metal::float4x4 nearer, metal::float4x4 farther, float number) {
+    float4 low = umbrage_cascade_column(nearer, number);
+    float4 high = umbrage_cascade_column(farther, number - 4.0);
+    return number < 3.5 ? low : high;
+}
+`,
             "cascade_coordinate": `
 // umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
 inline float3 umbrage_cascade_coordinate(float3 light, float4 scale, float4 offset) {
@@ -7395,11 +7440,21 @@ inline float4 umbrage_cascade_by_projection(float3 light, metal::float4x4 scales
     return umbrage_inside_cascade(a, size, reach) ? float4(a, 0.0) : found;
 }
 `,
+            "cascade_by_projection_8": `
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+inline float4 umbrage_cascade_by_projection_8(float3 light, metal::float4x4 scales, metal::float4x4 offsets,
+                                              metal::float4x4 farther_scales, metal::float4x4 farther_offsets,
+                                              float2 size, float reach) {
+    float4 nearer = umbrage_cascade_by_projection(light, scales, offsets, size, reach);
+    float4 farther = umbrage_cascade_by_projection(light, farther_scales, farther_offsets, size, reach);
+    return nearer.w < 3.5 ? nearer : float4(farther.x, farther.y, farther.z, farther.w + 4.0);
+}
+`,
             "cascade_tile": `
-// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
-inline float2 umbrage_cascade_tile(float number, float size) {
-    float row = number < 1.5 ? 0.0 : 1.0;
-    return float2((number - row * 2.0) * size, row * size);
+// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+inline float2 umbrage_cascade_tile(float number, float2 size) {
+    float row = metal::floor(number * 0.5);
+    return float2(number - row * 2.0, row) * size;
 }
 `,
             "cascade_weight": `
@@ -10729,6 +10784,14 @@ fn umbrage_cascade_column(columns: mat4x4f, number: f32) -> vec4f {
     return select(high, low, number < 1.5);
 }
 `,
+            "cascade_column_8": `
+// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+fn umbrage_cascade_column_8(nearer: mat4x4f, farther: mat4x4f, number: f32) -> vec4f {
+    let low: vec4f = umbrage_cascade_column(nearer, number);
+    let high: vec4f = umbrage_cascade_column(farther, number - 4.0);
+    return select(high, low, number < 3.5);
+}
+`,
             "cascade_coordinate": `
 // umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
 fn umbrage_cascade_coordinate(light: vec3f, scale: vec4f, offset: vec4f) -> vec3f {
@@ -10764,11 +10827,20 @@ fn umbrage_cascade_by_projection(light: vec3f, scales: mat4x4f, offsets: mat4x4f
     return select(found, vec4f(a, 0.0), umbrage_inside_cascade(a, size, reach));
 }
 `,
+            "cascade_by_projection_8": `
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+fn umbrage_cascade_by_projection_8(light: vec3f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                                   farther_offsets: mat4x4f, size: vec2f, reach: f32) -> vec4f {
+    let nearer: vec4f = umbrage_cascade_by_projection(light, scales, offsets, size, reach);
+    let farther: vec4f = umbrage_cascade_by_projection(light, farther_scales, farther_offsets, size, reach);
+    return select(vec4f(farther.x, farther.y, farther.z, farther.w + 4.0), nearer, nearer.w < 3.5);
+}
+`,
             "cascade_tile": `
-// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
-fn umbrage_cascade_tile(number: f32, size: f32) -> vec2f {
-    let row: f32 = select(1.0, 0.0, number < 1.5);
-    return vec2f((number - row * 2.0) * size, row * size);
+// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+fn umbrage_cascade_tile(number: f32, size: vec2f) -> vec2f {
+    let row: f32 = floor(number * 0.5);
+    return vec2f(number - row * 2.0, row) * size;
 }
 `,
             "cascade_weight": `
@@ -14040,9 +14112,11 @@ const rows = [
     ["project_coordinate", "project_coordinate", "the division by w, lit behind the light", "c", 3, 0, false, "100", "none", false, []],
     ["cascade_by_depth", "cascade_by_depth", "cascade that a view depth falls into", "a", 0, 0, false, "100", "none", false, []],
     ["cascade_column", "cascade_column", "one of four columns, without an index", "a", 0, 0, false, "100", "none", false, []],
+    ["cascade_column_8", "cascade_column_8", "one of eight columns, without an index", "a", 0, 0, false, "100", "none", false, ["cascade_column"]],
     ["cascade_coordinate", "cascade_coordinate", "a point in the map of one cascade", "b", 2, 0, false, "100", "none", false, []],
     ["inside_cascade", "inside_cascade", "coordinates whose filter stays inside a cascade", "b", 2, 0, false, "100", "none", false, []],
     ["cascade_by_projection", "cascade_by_projection", "first cascade that holds a point and its filter", "b", 4, 0, false, "100", "none", false, ["cascade_coordinate", "inside_cascade"]],
+    ["cascade_by_projection_8", "cascade_by_projection_8", "first of eight cascades that holds a point and its filter", "b", 4, 0, false, "100", "none", false, ["cascade_by_projection"]],
     ["cascade_tile", "cascade_tile", "first texel of a cascade in an atlas", "a", 0, 0, false, "100", "none", false, []],
     ["cascade_weight", "cascade_weight", "a weight in steps of 1/256", "a", 0, 0, false, "100", "none", false, []],
     ["cascade_fade", "cascade_fade", "weight of the next cascade, by view depth", "b", 3, 0, false, "100", "none", false, ["cascade_weight"]],
@@ -14414,4 +14488,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_face_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, receiver_slope, cascade_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_column_8, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_by_projection_8, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_face_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, receiver_slope, cascade_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;

@@ -72,6 +72,7 @@
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/directional_light.hpp>
+#include <umbrage/light/frustum.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/pancake.hpp>
 #include <umbrage/light/point/cube_atlas.hpp>

@@ -1733,6 +1733,12 @@ template <real T>
 //     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
 //     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
 //
+// Far from the world's origin, of a light in double and points that are told from an origin near the camera:
+//
+//     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024}, origin);
+//     draw_depths(umbrage::relative_to(light, origin));
+//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, glm::vec3(world - origin)));
+//
 
 namespace umbrage {
 
@@ -1761,6 +1767,35 @@ template <real T>
     detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "such that their matrix is finite",
                     m);
     return m;
+}
+
+/// Points relative to an origin to texels and depth: the product in double, rounded once.
+///
+/// Origins may differ from frame to frame: a point of the world keeps its place in a stable map to 1/100 texel while it
+/// and the map are within 10,000 texels of each.
+/// @param origin   world; near the camera, as an engine's floating origin is
+/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite in float
+[[nodiscard]] inline glm::mat4 texture_matrix(const light_space<double>& light, glm::ivec2 map_size,
+                                              glm::dvec3 origin) {
+    glm::dmat4 m = texture_matrix(light, map_size);
+    m[3] = m * glm::dvec4(origin, 1.0);
+    const glm::mat4 rounded(m);
+    detail::require(detail::all_finite(rounded), "texture_matrix", "light, map_size and origin",
+                    "such that their matrix is finite", rounded);
+    return rounded;
+}
+
+/// A light of double for points relative to an origin, as its depth pass takes it.
+/// @param origin   world; near the camera, as an engine's floating origin is
+/// @return         a rotation for a view stays one: what is far cancels in the projection, which is then small
+/// @throws std::invalid_argument  matrices that are not finite in float
+[[nodiscard]] inline light_space<float> relative_to(const light_space<double>& light, glm::dvec3 origin) {
+    const glm::dvec4 at = light.view * glm::dvec4(origin, 1.0);
+    glm::dmat4 view = light.view, projection = light.projection;
+    const bool rotates = glm::dvec3(view[3]) == glm::dvec3(0);
+    (rotates ? projection : view)[3] = rotates ? projection * at : at;
+    return detail::checked<float>({glm::mat4(view), glm::mat4(projection), light.clip}, "relative_to",
+                                  "light and origin");
 }
 
 namespace detail {
@@ -9127,6 +9162,12 @@ inline constexpr const snippet* blend_snippets[]{&cascade_weight, &cascade_fade,
 //
 //     layout(std140, row_major) uniform cascades { mat4 to_texels[4]; vec3 ends; };
 //     vec3 at = umbrage_shadow_coordinate(to_texels[int(number)], world).xyz;
+//
+// Of five to eight cascades, as grouped_cascade_uniforms has them:
+//
+//     float number = 0;
+//     for (const glm::vec3& ends : u.ends) number += umbrage::cascade_by_depth(view_depth, ends);
+//     glm::vec4 scale = umbrage::cascade_column_8(u.scales[0], u.scales[1], number);
 
 namespace umbrage {
 
@@ -9191,10 +9232,36 @@ template <real T>
     return {T(65536), T(65536), T(0), T(4)};
 }
 
-/// First texel of a cascade in an atlas of 2 x 2 tiles.
-/// @param number   0 .. 3;   size  of a tile, in texels
+/// One of eight columns, of five to eight cascades: grouped_cascade_uniforms.
+/// @param nearer, farther   four columns each;   number  0 .. 7; above 7 the last
+/// @exactness               A
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> cascade_column_8(const glm::mat<4, 4, T>& nearer,
+                                                        const glm::mat<4, 4, T>& farther, T number) {
+    return number < T(3.5) ? cascade_column(nearer, number) : cascade_column(farther, number - T(4));
+}
+
+/// cascade_by_projection of up to eight cascades, in groups of four.
+/// @return        number 8 where none holds the point: shaders read layer min(number, 7)
+/// @exactness     B, n = 4: S as cascade_coordinate and inside_cascade
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection_8(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
+                                                               const glm::mat<4, 4, T>& offsets,
+                                                               const glm::mat<4, 4, T>& farther_scales,
+                                                               const glm::mat<4, 4, T>& farther_offsets,
+                                                               glm::vec<2, T> size, T reach) {
+    const glm::vec<4, T> nearer = cascade_by_projection(light, scales, offsets, size, reach);
+    if (nearer.w < T(4)) return nearer;
+    const glm::vec<4, T> farther = cascade_by_projection(light, farther_scales, farther_offsets, size, reach);
+    return {farther.x, farther.y, farther.z, farther.w + T(4)};
+}
+
+/// First texel of a cascade in an atlas of two tiles a row.
+/// @param number   0 or above, whole;   size  of a tile, in texels
 /// @exactness      A
-[[nodiscard]] inline glm::ivec2 cascade_tile(int number, int size) { return {number % 2 * size, number / 2 * size}; }
+[[nodiscard]] inline glm::ivec2 cascade_tile(int number, glm::ivec2 size) {
+    return glm::ivec2(number % 2, number / 2) * size;
+}
 
 namespace glsl {
 
@@ -9286,21 +9353,57 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRA
 )GLSL",
 };
 
+inline constexpr snippet cascade_column_8{
+    .name = "cascade_column_8",
+    .summary = "one of eight columns, without an index",
+    .exactness = tier::a,
+    .needs = list<&cascade_column>,
+    .source = R"GLSL(
+// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+UMBRAGE_HIGHP vec4 umbrage_cascade_column_8(UMBRAGE_HIGHP mat4 nearer, UMBRAGE_HIGHP mat4 farther,
+                                            UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 low = umbrage_cascade_column(nearer, number);
+    UMBRAGE_HIGHP vec4 high = umbrage_cascade_column(farther, number - 4.0);
+    return number < 3.5 ? low : high;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_by_projection_8{
+    .name = "cascade_by_projection_8",
+    .summary = "first of eight cascades that holds a point and its filter",
+    .exactness = tier::b,
+    .operations = 4,
+    .needs = list<&cascade_by_projection>,
+    .source = R"GLSL(
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection_8(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
+                                                   UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
+                                                   UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec2 size,
+                                                   UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec4 nearer = umbrage_cascade_by_projection(light, scales, offsets, size, reach);
+    UMBRAGE_HIGHP vec4 farther = umbrage_cascade_by_projection(light, farther_scales, farther_offsets, size, reach);
+    return nearer.w < 3.5 ? nearer : vec4(farther.x, farther.y, farther.z, farther.w + 4.0);
+}
+)GLSL",
+};
+
 inline constexpr snippet cascade_tile{
     .name = "cascade_tile",
     .summary = "first texel of a cascade in an atlas",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
-UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float size) {
-    UMBRAGE_HIGHP float row = number < 1.5 ? 0.0 : 1.0;
-    return vec2((number - row * 2.0) * size, row * size);
+// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 size) {
+    UMBRAGE_HIGHP float row = floor(number * 0.5);
+    return vec2(number - row * 2.0, row) * size;
 }
 )GLSL",
 };
 
-inline constexpr const snippet* select_snippets[]{&cascade_by_depth, &cascade_column,        &cascade_coordinate,
-                                                  &inside_cascade,   &cascade_by_projection, &cascade_tile};
+inline constexpr const snippet* select_snippets[]{&cascade_by_depth,        &cascade_column, &cascade_column_8,
+                                                  &cascade_coordinate,      &inside_cascade, &cascade_by_projection,
+                                                  &cascade_by_projection_8, &cascade_tile};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -9352,7 +9455,7 @@ template <std::size_t Count, real T>
 // ---- umbrage/light/directional_light.hpp
 // A directional light's space as the classic course exercise sets it up.
 //
-//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024, .clip = clip});
+//     auto light = umbrage::make_directional_light({.direction = d, .map_size = {1024, 512}, .clip = clip});
 //
 
 namespace umbrage {
@@ -9363,20 +9466,20 @@ struct directional_light {
     glm::vec<3, T> target{T(0)};                  ///< what it looks at
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
     T offset = T(10);                             ///< from target back to the light, world units
-    int map_size = 1024;                          ///< texels, >= 1
+    glm::ivec2 map_size{1024};                    ///< texels, each >= 1
     T texels_per_unit = T(10);                    ///< across the light, world units; > 0
     T z_near = T(0.1);                            ///< world units from the light
     T z_far = T(100);
     clip_space clip{};  ///< required: your API's or engine's, see clip_space.hpp
 };
 
-/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
+/// The exercise's set-up: position = target - unit direction * offset, sides = map_size / texels_per_unit.
 /// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of
 ///                                order, and what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
     constexpr auto function = "make_directional_light";
-    detail::require(light.map_size >= 1, function, "map_size", "above 0", light.map_size);
+    detail::require(light.map_size.x >= 1 && light.map_size.y >= 1, function, "map_size", "above 0", light.map_size);
     detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
                     "finite and above 0", light.texels_per_unit);
     detail::require(is_finite(light.offset), function, "offset", "finite", light.offset);
@@ -9386,10 +9489,220 @@ template <real T = float>
         {},
         light.clip};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
-    const glm::vec<2, T> half(T(light.map_size) / light.texels_per_unit / T(2));
+    const glm::vec<2, T> half(glm::vec<2, T>(light.map_size) / light.texels_per_unit / T(2));
     space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
                                             "map_size and texels_per_unit", "z_near and z_far");
     return detail::checked(space, function, "target, offset, texels_per_unit, z_near and z_far");
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/frustum.hpp
+// What a camera sees between two distances: perspective, off-axis, orthographic, or two eyes at once.
+//
+//     umbrage::frustum<float> slice{.position = eye, .direction = ahead, .tan_half_x = 0.8f, .tan_half_y = 0.5f,
+//                                   .z_near = 1, .z_far = 20};
+//     umbrage::frustum<float> any = umbrage::make_frustum<float>(
+//         {.view = view, .projection = projection, .z_near = 1, .z_far = 20, .clip = clip});
+//
+// Corners are computed in double, whatever the numbers come in.
+
+namespace umbrage {
+
+/// What a camera sees between two distances: all of it, or a cascade's slice. At a distance z it sees
+/// half_size + tan_half z to either side of shift z.
+template <real T>
+struct frustum {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
+    T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
+    glm::vec<2, T> shift{T(0)};      ///< off-axis: tangents of the view's middle along cross(direction, up) and up
+    glm::vec<2, T> half_size{T(0)};  ///< at distance 0, >= 0, world units: orthographic, tangents then 0; two eyes
+};
+
+namespace detail {
+
+/// Refuses an argument of a function, a struct, by the names of its members: as "camera" and "z_near".
+struct member_check {
+    const char *function, *argument;
+
+    template <class Value>
+    void operator()(bool met, std::string_view member, std::string_view condition, const Value& got) const {
+        if (!met) refuse(function, std::string(argument).append(".").append(member), condition, got);
+    }
+};
+
+/// Refuses a frustum that is none: see its members.
+template <real T>
+void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
+    const member_check must{function, argument};
+    const auto opens = [](T tangent, T size) {
+        return is_finite(tangent) && (tangent > T(0) || (tangent == T(0) && size > T(0)));
+    };
+    must(all_finite(f.half_size) && f.half_size.x >= T(0) && f.half_size.y >= T(0), "half_size", "finite, 0 or more",
+         f.half_size);
+    must(opens(f.tan_half_x, f.half_size.x), "tan_half_x", "finite and above 0, or 0 with a half_size", f.tan_half_x);
+    must(opens(f.tan_half_y, f.half_size.y), "tan_half_y", "finite and above 0, or 0 with a half_size", f.tan_half_y);
+    must(all_finite(f.shift), "shift", "finite", f.shift);
+    must(f.z_near >= T(0), "z_near", "0 or more", f.z_near);
+    must(is_finite(f.z_far) && f.z_near < f.z_far, "z_far", "finite and above z_near", f.z_far);
+    must(all_finite(f.position), "position", "finite", f.position);
+    must(all_finite(f.direction), "direction", "finite", f.direction);
+    must(all_finite(f.up), "up", "finite", f.up);
+    must(f.direction != glm::vec<3, T>(0), "direction", "of a length above 0", f.direction);
+}
+
+template <real T>
+[[nodiscard]] frustum<double> in_double(const frustum<T>& f) {
+    return {glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up),
+            double(f.tan_half_x),   double(f.tan_half_y),    double(f.z_near),
+            double(f.z_far),        glm::dvec2(f.shift),     glm::dvec2(f.half_size)};
+}
+
+/// A frustum's directions as columns: to the side, up, along.
+template <real T>
+[[nodiscard]] glm::dmat3 axes(const frustum<T>& f, const char* function, const char* argument = "frustum") {
+    require_frustum(f, function, argument);
+    const auto view = look_along(glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up), handedness::right,
+                                 function, "position");
+    return {{view[0][0], view[1][0], view[2][0]},
+            {view[0][1], view[1][1], view[2][1]},
+            {-view[0][2], -view[1][2], -view[2][2]}};
+}
+
+/// Whether it shrinks what is farther: warps are for no other.
+template <real T>
+[[nodiscard]] bool is_perspective(const frustum<T>& f) {
+    return f.tan_half_x > T(0) && f.tan_half_y > T(0);
+}
+
+/// A frustum of one eye around that of two, behind them; of one eye its own.
+template <real T>
+[[nodiscard]] frustum<double> of_one_eye(const frustum<T>& camera, const char* function) {
+    frustum<double> f = in_double(camera);
+    if (!is_perspective(f)) return f;
+    const double back = greater(f.half_size.x / f.tan_half_x, f.half_size.y / f.tan_half_y);
+    f.position -= axes(camera, function, "camera") * glm::dvec3(f.shift, 1.0) * back;
+    f.z_near += back, f.z_far += back, f.half_size = glm::dvec2(0);
+    return f;
+}
+
+}  // namespace detail
+
+using eight_corners = std::array<glm::dvec3, 8>;
+
+namespace detail {
+
+/// corners in the name of another function.
+template <real T>
+[[nodiscard]] eight_corners corners_for(const char* function, const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f, function);
+    const glm::dvec2 tangents(f.tan_half_x, f.tan_half_y), size(f.half_size), shift(f.shift);
+    eight_corners all;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double z(i & 4 ? f.z_far : f.z_near);
+        const glm::dvec2 half = size + z * tangents;
+        const glm::dvec2 at = glm::dvec2(i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y) + shift * z;
+        all[i] = glm::dvec3(f.position) + axes * glm::dvec3(at, z);
+    }
+    return all;
+}
+
+}  // namespace detail
+
+/// Corners in the order of their numbers' bits: right, up, far.
+/// @throws std::invalid_argument  a frustum that is none: see its members
+template <real T>
+[[nodiscard]] eight_corners corners(const frustum<T>& f) {
+    return detail::corners_for("corners", f);
+}
+
+template <real T = float>
+struct camera_matrices {
+    glm::mat<4, 4, T> view{T(1)};                  ///< world to view space of the camera, or of the head
+    glm::mat<4, 4, T> projection{T(1)};            ///< view space to clip space. Its row of depth is not read
+    std::optional<glm::mat<4, 4, T>> other_eye{};  ///< of two eyes: each has its projection times head to eye
+    T z_near = T(0.1), z_far = T(100);  ///< what shadows are for, 0 <= z_near < z_far, along the view, finite
+    clip_space clip{};                  ///< required: your API's or engine's, see clip_space.hpp
+};
+
+namespace detail {
+
+/// Bounds of what cameras see, x and y in view space: first + slope z at a distance z.
+struct view_bounds {
+    glm::dvec2 low{highest<double>}, high{-highest<double>}, low_slope{highest<double>}, high_slope{-highest<double>};
+};
+
+/// Adds a camera's four edges, in each of which two of its sides cross.
+template <real T>
+void add_edges(view_bounds& bounds, const camera_matrices<T>& camera, const glm::mat<4, 4, T>& projection,
+               const char* argument) {
+    constexpr auto function = "make_frustum";
+    require(all_finite(projection), function, argument, "finite", projection);
+    glm::dmat4 rows = glm::transpose(glm::dmat4(projection));
+    if (camera.clip.hand == handedness::right)
+        for (glm::length_t i = 0; i < 4; ++i) rows[i].z = -rows[i].z;  // of a distance
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec4 a = rows[0] + (i & 1 ? -1.0 : 1.0) * rows[3], b = rows[1] + (i & 2 ? -1.0 : 1.0) * rows[3];
+        const double area = a.x * b.y - a.y * b.x;
+        const glm::dvec2 at = glm::dvec2(a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w) / area;
+        const glm::dvec2 slope = glm::dvec2(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z) / area;
+        const auto w = [&](T z) { return glm::dot(rows[3], glm::dvec4(at + double(z) * slope, double(z), 1.0)); };
+        require(all_finite(at) && all_finite(slope) && w(camera.z_far) > 0.0 &&
+                    w(camera.z_near) >= -0x1p-20 * w(camera.z_far),
+                function, argument, "such that its four edges run ahead", projection,
+                "Is clip that of the camera, and the view's z the head's?");
+        bounds.low = lesser(bounds.low, at), bounds.high = greater(bounds.high, at);
+        bounds.low_slope = lesser(bounds.low_slope, slope), bounds.high_slope = greater(bounds.high_slope, slope);
+    }
+}
+
+}  // namespace detail
+
+/// The frustum of any camera's matrices: perspective, off-axis, orthographic; depth forward or reversed, with a far
+/// plane or without. Of two eyes, and of one that is turned from the view, a frustum around what they see.
+///
+/// Its sides come from the projections alone, so that stable cascades stay stable while the view moves. With two eyes
+/// each projection must keep its bits: headsets give eyes relative to the head.
+///
+/// @return        distances are those along the view, from its origin: -z of view space in right-handed ones, else z
+/// @throws std::invalid_argument  a view that is no rotation and translation, projections whose edges do not run ahead
+///                                from z_near on, planes out of order, and what is not finite
+template <real T = float>
+[[nodiscard]] frustum<T> make_frustum(const camera_matrices<T>& camera) {
+    constexpr auto function = "make_frustum";
+    detail::require_given(camera.clip, function);
+    detail::require(camera.z_near >= T(0), function, "z_near", "0 or more", camera.z_near);
+    detail::require(is_finite(camera.z_far) && camera.z_near < camera.z_far, function, "z_far",
+                    "finite and above z_near", camera.z_far);
+    const glm::dmat4 view(camera.view);
+    const glm::dmat3 turn(view), turned = glm::transpose(turn), whole = turn * turned;
+    double askew = 0.0;
+    for (glm::length_t i = 0; i < 9; ++i)
+        askew = detail::greater(askew, glm::abs(whole[i / 3][i % 3] - (i % 4 ? 0 : 1)));
+    detail::require(detail::all_finite(view) && askew < 1e-3, function, "view", "a rotation and a translation",
+                    camera.view);
+    detail::view_bounds b;
+    detail::add_edges(b, camera, camera.projection, "projection");
+    if (camera.other_eye) detail::add_edges(b, camera, *camera.other_eye, "other_eye");
+
+    const glm::dvec3 ahead = camera.clip.hand == handedness::right ? -turned[2] : turned[2];
+    const double side = glm::dot(glm::cross(ahead, turned[1]), turned[0]) < 0.0 ? -1.0 : 1.0;
+    const glm::dvec2 half = detail::greater((b.high - b.low) * 0.5, glm::dvec2(0)), middle = (b.high + b.low) * 0.5;
+    const glm::dvec2 tangents = (b.high_slope - b.low_slope) * 0.5, shift = (b.high_slope + b.low_slope) * 0.5;
+    const frustum<T> f{glm::vec<3, T>(turned * (glm::dvec3(middle, 0.0) - glm::dvec3(view[3]))),
+                       glm::vec<3, T>(ahead),
+                       glm::vec<3, T>(turned[1]),
+                       T(tangents.x),
+                       T(tangents.y),
+                       camera.z_near,
+                       camera.z_far,
+                       glm::vec<2, T>(side * shift.x, shift.y),
+                       glm::vec<2, T>(half)};
+    detail::require_frustum(f, function, "projection's frustum");
+    return f;
 }
 
 }  // namespace umbrage
@@ -10035,14 +10348,15 @@ struct spot_light {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
+    T aspect = T(1);                                    ///< width / height of the map, > 0: texels are square
     T z_near = T(0.1);                                  ///< > 0, world units
     T z_far = T(100);                                   ///< > z_near; infinite: no far plane
     clip_space clip{};                                  ///< required: your API's or engine's, see clip_space.hpp
 };
 
-/// View and perspective projection around the light's cone, which the square map holds whole.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order, and
-///                                what gives matrices that are not finite
+/// View and perspective projection around the light's cone, which the map holds whole: it touches the shorter sides.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), aspect not above 0, planes
+///                                out of order, and what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
     constexpr auto function = "make_spot_light";
@@ -10052,9 +10366,14 @@ template <real T = float>
     const T extent = std::tan(angle);
     detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians",
                     "large enough for a finite cotangent", angle);
+    detail::require(is_finite(light.aspect) && light.aspect > T(0), function, "aspect", "finite and above 0",
+                    light.aspect);
+    const T wide = extent * detail::greater(light.aspect, T(1)), high = extent / detail::lesser(light.aspect, T(1));
+    const bool fits = detail::is_normal(T(1) / wide) && detail::is_normal(T(1) / high);
+    detail::require(fits, function, "aspect", "such that the tangents of the map's sides are finite", light.aspect);
     return detail::checked<T>(
         {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
-         detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function), light.clip},
+         detail::perspective(wide, high, light.z_near, light.z_far, light.clip, function), light.clip},
         function, "position, outer_angle_radians, z_near and z_far");
 }
 
@@ -13577,9 +13896,7 @@ template <class ParallelFor = serial>
 // What lights are fitted to: boxes, spheres, a camera's frustum and slices of it, points; and what a frustum has in
 // common with a scene.
 //
-//     umbrage::frustum<float> slice{.position = eye, .direction = ahead, .tan_half_x = 0.8f, .tan_half_y = 0.5f,
-//                                   .z_near = 1, .z_far = 20};
-//     umbrage::polyhedron seen = umbrage::intersection(slice, umbrage::bounding_box<float>{scene_low, scene_high});
+//     umbrage::polyhedron seen = umbrage::intersection(camera, umbrage::bounding_box<float>{scene_low, scene_high});
 //
 // Corners are computed in double, whatever the numbers come in.
 //
@@ -13597,31 +13914,11 @@ struct bounding_sphere {
     T radius = T(1);  ///< >= 0
 };
 
-/// What a perspective camera sees between two distances: all of it, or a cascade's slice.
-template <real T>
-struct frustum {
-    glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
-    T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
-};
-
 namespace detail {
 
 /// Box that nobody gave, its low above its high: set-ups that need one refuse it.
 template <real T>
 inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
-
-/// Refuses an argument of a function, a struct, by the names of its members: as "camera" and "z_near".
-struct member_check {
-    const char *function, *argument;
-
-    template <class Value>
-    void operator()(bool met, std::string_view member, std::string_view condition, const Value& got) const {
-        if (!met) refuse(function, std::string(argument).append(".").append(member), condition, got);
-    }
-};
 
 /// Refuses a box that is not finite, or whose low is above its high.
 template <real T>
@@ -13641,26 +13938,6 @@ void require_given(const bounding_box<T>& box, const char* function, const char*
     require_box(box, function, argument);
 }
 
-/// Refuses a frustum that is none: see its members.
-template <real T>
-void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
-    const member_check must{function, argument};
-    must(is_finite(f.tan_half_x) && f.tan_half_x > T(0), "tan_half_x", "finite and above 0", f.tan_half_x);
-    must(is_finite(f.tan_half_y) && f.tan_half_y > T(0), "tan_half_y", "finite and above 0", f.tan_half_y);
-    must(f.z_near >= T(0), "z_near", "0 or more", f.z_near);
-    must(is_finite(f.z_far) && f.z_near < f.z_far, "z_far", "finite and above z_near", f.z_far);
-    must(all_finite(f.position), "position", "finite", f.position);
-    must(all_finite(f.direction), "direction", "finite", f.direction);
-    must(all_finite(f.up), "up", "finite", f.up);
-    must(f.direction != glm::vec<3, T>(0), "direction", "of a length above 0", f.direction);
-}
-
-}  // namespace detail
-
-using eight_corners = std::array<glm::dvec3, 8>;
-
-namespace detail {
-
 /// corners in the name of another function.
 template <real T>
 [[nodiscard]] eight_corners corners_for(const char* function, const bounding_box<T>& box) {
@@ -13669,28 +13946,6 @@ template <real T>
     eight_corners all;
     for (std::size_t i = 0; i < 8; ++i)
         all[i] = {(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z};
-    return all;
-}
-
-/// A frustum's directions as columns: to the side, up, along.
-template <real T>
-[[nodiscard]] glm::dmat3 axes(const frustum<T>& f, const char* function, const char* argument = "frustum") {
-    require_frustum(f, function, argument);
-    const auto view = look_along(glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up), handedness::right,
-                                 function, "position");
-    return {{view[0][0], view[1][0], view[2][0]},
-            {view[0][1], view[1][1], view[2][1]},
-            {-view[0][2], -view[1][2], -view[2][2]}};
-}
-
-template <real T>
-[[nodiscard]] eight_corners corners_for(const char* function, const frustum<T>& f) {
-    const glm::dmat3 axes = detail::axes(f, function);
-    eight_corners all;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const double z(i & 4 ? f.z_far : f.z_near), x = (i & 1 ? z : -z) * double(f.tan_half_x);
-        all[i] = glm::dvec3(f.position) + axes * glm::dvec3(x, (i & 2 ? z : -z) * double(f.tan_half_y), z);
-    }
     return all;
 }
 
@@ -13703,23 +13958,29 @@ template <real T>
     return detail::corners_for("corners", box);
 }
 
-/// Corners in the order of their numbers' bits: right, up, far.
-/// @throws std::invalid_argument  a frustum that is none: see its members
-template <real T>
-[[nodiscard]] eight_corners corners(const frustum<T>& f) {
-    return detail::corners_for("corners", f);
-}
-
-/// The smallest sphere around a frustum. Its radius comes of planes and angles alone: it keeps its bits however the
-/// camera turns and moves.
-/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2
+/// A sphere around a frustum, the smallest about its middle line. Its radius comes of distances and tangents alone: it
+/// keeps its bits however the camera turns and moves.
+/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2; and more
+///            with a shift or a half_size
 /// @throws std::invalid_argument  a frustum that is none
 template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f, "sphere_around");
-    const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
-    const double center = detail::lesser(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - center;
-    return {glm::dvec3(f.position) + axes[2] * center, std::sqrt(beyond * beyond + z_far * z_far * t)};
+    const glm::dvec2 tangents(f.tan_half_x, f.tan_half_y), size(f.half_size), shift = glm::abs(glm::dvec2(f.shift));
+    const double n(f.z_near), z_far(f.z_far), t = tangents.x * tangents.x + tangents.y * tangents.y;
+    const double s = glm::dot(shift, shift), leaning = glm::dot(size, tangents);
+    const glm::dvec2 at_near = size + n * tangents, at_far = size + z_far * tangents;
+    // where corners near and far are as far away, upright; then what the shift adds to it
+    const double upright = (n + z_far) * (1.0 + t) / 2.0 + leaning, lean = s * (z_far - n);
+    const double turned = lean * (z_far + n) + 2.0 * (glm::dot(shift, at_far) * z_far + glm::dot(shift, at_near) * n) -
+                          2.0 * upright * (lean + glm::dot(shift, at_far + at_near));
+    const double center =
+        detail::lesser(z_far, upright + turned / (2.0 * (z_far - n + lean + glm::dot(shift, at_far + at_near))));
+    const double beyond = z_far - center;
+    const double more =
+        beyond * (s * beyond + 2.0 * glm::dot(shift, at_far)) + 2.0 * z_far * leaning + glm::dot(size, size);
+    return {glm::dvec3(f.position) + axes * glm::dvec3(glm::dvec2(f.shift) * center, center),
+            std::sqrt(beyond * beyond + z_far * z_far * t + more)};
 }
 
 namespace detail {
@@ -13764,12 +14025,14 @@ public:
     convex_body(const frustum<T>& f) {
         const glm::dmat3 axes = detail::axes(f, "polyhedron");
         const double x(f.tan_half_x), y(f.tan_half_y);
+        const glm::dvec2 shift(f.shift), size(f.half_size);
         const auto plane = [&](glm::dvec3 normal, double offset) {
             const glm::dvec3 n = axes * normal;
             return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
         };
         add_faces(corners_for("polyhedron", f),
-                  {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
+                  {plane({1, 0, x - shift.x}, size.x), plane({-1, 0, x + shift.x}, size.x),
+                   plane({0, 1, y - shift.y}, size.y), plane({0, -1, y + shift.y}, size.y),
                    plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
     }
 
@@ -16296,7 +16559,7 @@ template <class = on_use>
 //     auto tight = umbrage::fit_directional_light<float>(
 //         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene, .clip = clip});
 //     auto still = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024,
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = {1024, 1024},
 //          .clip = clip});
 //
 
@@ -16309,7 +16572,7 @@ struct directional_fit {
     std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
-    int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
+    glm::ivec2 snap_texels{0};                    ///< size of a map whose texels stay where they are; 0: not snapped
     clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
 };
 
@@ -16321,12 +16584,13 @@ struct light_box {
     double z_near, z_far;
 };
 
-/// The square of whole texels around a box, a texel wider, and depths in steps of its side.
-[[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
-    const double n(texels), half_texel = greater(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
+/// The map of whole square texels around a box, a texel wider, and depths in steps of its longer side.
+[[nodiscard]] inline light_box snapped(const light_box& box, glm::ivec2 texels) {
+    const glm::dvec2 n(texels), halves = box.half / (n - 1.0);
+    const double half_texel = greater(halves.x, halves.y), side = 2.0 * half_texel * greater(n.x, n.y);
     const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
     const double z_near = std::floor(box.z_near / side) * side;
-    return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
+    return {half_texel * n, first * (2.0 / n) + 1.0, z_near,
             z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
 }
 
@@ -16337,9 +16601,10 @@ template <real T>
     require_given(fit.clip, function);
     const hull& lit = given(fit.receivers, function);
     require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
-    require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "0 or above 1", fit.snap_texels);
+    const bool snaps = fit.snap_texels != glm::ivec2(0);
+    require(!snaps || (fit.snap_texels.x > 1 && fit.snap_texels.y > 1), function, "snap_texels", "0 or above 1",
+            fit.snap_texels);
     if (fit.casters) require_box(*fit.casters, function, "casters");
-    const bool snaps = fit.snap_texels > 0;
 
     light_space<T> space{
         look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
@@ -16378,10 +16643,11 @@ template <real T>
 /// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
 /// there; for a sphere's sweep stands that of its square.
 ///
-/// With snap_texels the box is a square, a texel wider, whose texels lie on a grid of the world wherever the receivers
-/// move, as long as their extent keeps its bits: a sphere's does. Its depths then span the casters' whole box, and go
-/// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
-/// origin, compute the texture matrix in double and round that.
+/// With snap_texels the box has the map's aspect, so that texels are squares of the world, and is a texel wider. Its
+/// texels lie on a grid of the world wherever the receivers move, as long as their extent keeps its bits: a sphere's
+/// does. Its depths then span the casters' whole box, and go beyond it in steps of the box's longer side. For a grid
+/// that keeps its place to a hundredth of a texel far from the origin, fit in double and take the texture matrix of an
+/// origin.
 ///
 /// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
 /// or of one around the origin.
@@ -16407,25 +16673,25 @@ template <real T = float>
 //     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
 //     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
 //
+// Far from the world's origin fit in double, and draw and look up relative_to(cascades, origin).
 
 namespace umbrage {
 
 /// One part of the camera's range and its map.
 template <real T>
 struct cascade {
-    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for
-                                               ///< all cascades
+    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for all
     glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
     T begin = T(0), end = T(0);                ///< distances along the camera's axis
 };
 
 template <real T = float>
 struct cascade_fit {
-    frustum<T> camera{};                           ///< but for its planes, in place of which there are splits
+    frustum<T> camera{};                           ///< of any kind; but for its planes, in place of which are splits
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
     bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
-    int map_size = 1024;                           ///< of each cascade, texels
+    glm::ivec2 map_size{1024};                     ///< of each cascade, texels
     T margin = T(2);                               ///< texels around: the filter's reach
     T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
     clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
@@ -16433,10 +16699,12 @@ struct cascade_fit {
 
 namespace detail {
 
+[[nodiscard]] inline int shorter_side(glm::ivec2 size) { return size.x < size.y ? size.x : size.y; }
+
 /// A fitted light, whose view is a rotation, as a cascade.
 template <real T>
-[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
-    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, glm::ivec2(map_size));
+[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, glm::ivec2 map_size, const char* function) {
+    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, map_size);
     const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
     const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
     const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
@@ -16459,19 +16727,14 @@ template <std::size_t Count, real T>
         require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits",
                 "finite and in ascending order", glm::vec<2, T>(splits[i], splits[i + 1]));
     require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
-    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "above 2 margin + 1",
+    require(double(shorter_side(fit.map_size)) - 2 * double(fit.margin) > 1, function, "map_size", "above 2 margin + 1",
             fit.map_size);
     require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "from 0 to 1", fit.overlap);
     std::array<frustum<double>, Count> parts;
     for (std::size_t i = 0; i < Count; ++i) {
         const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
-        parts[i] = {glm::dvec3(fit.camera.position),
-                    glm::dvec3(fit.camera.direction),
-                    glm::dvec3(fit.camera.up),
-                    double(fit.camera.tan_half_x),
-                    double(fit.camera.tan_half_y),
-                    double(splits[i]) - double(fit.overlap) * before,
-                    double(splits[i + 1])};
+        parts[i] = in_double(fit.camera);
+        parts[i].z_near = double(splits[i]) - double(fit.overlap) * before, parts[i].z_far = double(splits[i + 1]);
         require_frustum(parts[i], function, "camera");
     }
     return parts;
@@ -16499,7 +16762,7 @@ template <real T>
 /// A margin in texels as a share of what a map holds within it.
 template <real T>
 [[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
-    return double(fit.margin) / (fit.map_size - 2 * double(fit.margin));
+    return double(fit.margin) / (shorter_side(fit.map_size) - 2 * double(fit.margin));
 }
 
 /// A cascade for each part, of light(frustum) in double.
@@ -16521,7 +16784,8 @@ template <std::size_t Count, real T, class Light>
 
 /// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
 /// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
-/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each.
+/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each. Texels
+/// are squares of the world, whatever the map's sides; the shorter one decides their size.
 ///
 /// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
 /// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
@@ -16539,13 +16803,14 @@ template <std::size_t Count, real T>
     constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
     auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
         const double around = double(fit.margin);
-        const auto light = detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
-                                                            .up = glm::dvec3(fit.up),
-                                                            .receivers = sphere_around(part),
-                                                            .margin = around / (fit.map_size - 1 - 2 * around),
-                                                            .snap_texels = fit.map_size,
-                                                            .clip = fit.clip},
-                                                           function, sides, depths);
+        const auto light =
+            detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                             .up = glm::dvec3(fit.up),
+                                             .receivers = sphere_around(part),
+                                             .margin = around / (detail::shorter_side(fit.map_size) - 1 - 2 * around),
+                                             .snap_texels = fit.map_size,
+                                             .clip = fit.clip},
+                                            function, sides, depths);
         return detail::with_depths_of(light, fit.scene, function);
     });
     for (cascade<T>& c : all)
@@ -16572,6 +16837,21 @@ template <std::size_t Count, real T>
     });
 }
 
+/// Cascades for points relative to an origin near the camera, which may be another each frame: see texture_matrix.
+/// @throws std::invalid_argument  what is not finite in float
+template <std::size_t Count>
+[[nodiscard]] std::array<cascade<float>, Count> relative_to(const std::array<cascade<double>, Count>& cascades,
+                                                            glm::dvec3 origin) {
+    std::array<cascade<float>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const cascade<double>& c = cascades[i];
+        const glm::vec4 offset(c.scale * (c.light.view * glm::dvec4(origin, 0.0)) + c.offset);
+        detail::require(detail::all_finite(offset), "relative_to", "origin", "such that offsets are finite", origin);
+        all[i] = {relative_to(c.light, origin), glm::vec4(c.scale), offset, float(c.begin), float(c.end)};
+    }
+    return all;
+}
+
 /// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
 template <real T>
 struct cascade_uniforms {
@@ -16589,35 +16869,78 @@ template <real T>
     return width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
 }
 
+template <real T>
+void require_fade(T fade) {
+    require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
+}
+
+/// How many threes hold the ends of cascades but the last.
+template <std::size_t Count>
+inline constexpr std::size_t ends_groups = Count < 3 ? 1 : (Count + 1) / 3;
+
+/// The ends of cascades but the last, three at a time, filled up with the highest number.
+template <real T, class Cascade, std::size_t Count>
+[[nodiscard]] std::array<glm::vec<3, T>, ends_groups<Count>> ends_of(const std::array<Cascade, Count>& cascades) {
+    std::array<glm::vec<3, T>, ends_groups<Count>> ends;
+    ends.fill(glm::vec<3, T>(highest<T>));
+    for (std::size_t i = 0; i + 1 < Count; ++i) ends[i / 3][static_cast<glm::length_t>(i % 3)] = cascades[i].end;
+    return ends;
+}
+
+/// Scales and offsets of up to four cascades; what is not there holds no point.
+template <real T>
+void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>& scales, glm::mat<4, 4, T>& offsets) {
+    scales = offsets = glm::mat<4, 4, T>(T(0));
+    for (glm::length_t i = 0; i < 4; ++i) {
+        if (static_cast<std::size_t>(i) >= cascades.size()) {
+            offsets[i] = {T(65536), T(65536), T(0), T(0)};
+            continue;
+        }
+        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
+        const glm::vec<2, T> fades = fade_of(c.begin, c.end, fade);
+        scales[i] = glm::vec<4, T>(glm::vec<3, T>(c.scale), fades.x);
+        offsets[i] = glm::vec<4, T>(glm::vec<3, T>(c.offset), fades.y);
+    }
+}
+
 }  // namespace detail
 
-/// Uniforms of up to four cascades: cascade_column and cascade_by_projection take no more. Warped cascades have a
-/// matrix each, and uniforms of any number: warped.hpp.
+/// Uniforms of up to four cascades, as cascade_column and cascade_by_projection take them. Warped cascades have a matrix
+/// each: warped.hpp.
 /// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
 ///               overlap must have been asked for
 /// @return       where there are fewer than four, nothing falls into the others by depth or by projection
 /// @throws std::invalid_argument  fade out of range
 template <real T, std::size_t Count>
-[[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
-    static_assert(Count >= 1 && Count <= 4,
-                  "make_cascade_uniforms takes one to four cascades, as cascade_column and cascade_by_projection do");
-    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
+requires(Count >= 1 && Count <= 4)
+    [[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
+    detail::require_fade(fade);
     cascade_uniforms<T> u;
     u.rotation = cascades[0].light.view;
-    u.ends = glm::vec<3, T>(detail::highest<T>);
-    for (glm::length_t i = 0; i < 4; ++i) {
-        if (i >= static_cast<glm::length_t>(Count)) {
-            u.offsets[i] = {T(65536), T(65536), T(0), T(0)};
-            continue;
-        }
-        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
-        u.scales[i] = c.scale;
-        u.offsets[i] = c.offset;
-        const glm::vec<2, T> fades = detail::fade_of(c.begin, c.end, fade);
-        u.scales[i].w = fades.x;
-        u.offsets[i].w = fades.y;
-        if (i + 1 < static_cast<glm::length_t>(Count)) u.ends[i] = c.end;
-    }
+    u.ends = detail::ends_of<T>(cascades)[0];
+    detail::set_columns<T>(cascades, fade, u.scales, u.offsets);
+    return u;
+}
+
+/// What a shader of five and more cascades takes, in groups of four: cascade_column_8 and cascade_by_projection_8.
+template <real T, std::size_t Count>
+struct grouped_cascade_uniforms {
+    glm::mat<4, 4, T> rotation{T(1)};                                ///< as cascade_uniforms has it
+    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< of four cascades each, as there
+    /// Of the cascades but the last, three at a time: the sum of cascade_by_depth over them is a cascade's number.
+    std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
+};
+
+/// Uniforms of five and more cascades: their first four are those of cascade_uniforms. The rest as there.
+template <real T, std::size_t Count>
+requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascade_uniforms(
+    const std::array<cascade<T>, Count>& cascades, T fade) {
+    detail::require_fade(fade);
+    grouped_cascade_uniforms<T, Count> u;
+    u.rotation = cascades[0].light.view;
+    u.ends = detail::ends_of<T>(cascades);
+    for (std::size_t i = 0; i < u.scales.size(); ++i)
+        detail::set_columns<T>(std::span(cascades).subspan(4 * i), fade, u.scales[i], u.offsets[i]);
     return u;
 }
 
@@ -16638,8 +16961,9 @@ template <real T, std::size_t Count>
 namespace umbrage {
 
 /// The maps of a light in one image.
-/// @tparam Light   cascade_uniforms<float>: 2 x 2 tiles, those of no cascade unused; point_light<float>: 3 x 2 tiles,
-///                 cube_tile; tetrahedron_light<float>: one square; dual_paraboloid_light<float>: 2 x 1 tiles
+/// @tparam Light   cascade_uniforms<float>: 2 x 2 tiles, those of no cascade unused; grouped_cascade_uniforms<float, N>:
+///                 two tiles a row; point_light<float>: 3 x 2 tiles, cube_tile; tetrahedron_light<float>: one square;
+///                 dual_paraboloid_light<float>: 2 x 1 tiles
 template <class Texel, class Light>
 struct light_map {
     image_view<const Texel> texels;
@@ -16658,21 +16982,32 @@ struct placed_receiver {
     glm::vec3 at;     ///< in texels of the tile, depth
 };
 
-/// The first cascade that holds a point and its filter; none: lit.
+/// The first cascade that holds a point and its filter, of groups of four; none: lit.
+template <std::size_t Count>
 struct cascade_placing {
-    static constexpr int columns = 2, rows = 2;  // of tiles
-    cascade_uniforms<float> u;
-    int size;
+    static constexpr int columns = 2, rows = static_cast<int>(Count + 1) / 2;  // of tiles
+    glm::mat4 rotation;
+    std::array<glm::mat4, (Count + 3) / 4> scales, offsets;
+    glm::ivec2 size;
     float reach;
 
-    cascade_placing(const cascade_uniforms<float>& uniforms, glm::ivec2 texels, float filter_reach)
-        : u(uniforms), size(texels.x / columns), reach(filter_reach) {}
+    template <class Uniforms>
+    cascade_placing(const Uniforms& u, glm::ivec2 texels, float filter_reach)
+        : rotation(u.rotation),
+          scales{u.scales},
+          offsets{u.offsets},
+          size(texels / glm::ivec2(columns, rows)),
+          reach(filter_reach) {}
     [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
-        const glm::vec3 light(shadow_coordinate(u.rotation, world));
-        const glm::vec4 at =
-            cascade_by_projection(light, u.scales, u.offsets, glm::vec2(static_cast<float>(size)), reach);
-        const int number = static_cast<int>(at.w);
-        return {cascade_tile(number < 3 ? number : 3, size), glm::vec3(at)};
+        const glm::vec3 light(shadow_coordinate(rotation, world));
+        glm::vec4 at(0.0f);
+        int number = 0;
+        for (std::size_t i = 0; i < scales.size() && number == static_cast<int>(4 * i); ++i) {
+            at = cascade_by_projection(light, scales[i], offsets[i], glm::vec2(size), reach);
+            number += static_cast<int>(at.w);
+        }
+        constexpr int last = static_cast<int>(Count) - 1;
+        return {cascade_tile(number < last ? number : last, size), glm::vec3(at)};
     }
 };
 
@@ -16728,9 +17063,13 @@ struct paraboloid_placing {
 
 template <class Light>
 struct placing_of;
+template <std::size_t Count>
+struct placing_of<grouped_cascade_uniforms<float, Count>> {
+    using type = cascade_placing<Count>;
+};
 template <>
 struct placing_of<cascade_uniforms<float>> {
-    using type = cascade_placing;
+    using type = cascade_placing<4>;
 };
 template <>
 struct placing_of<point_light<float>> {
@@ -16771,15 +17110,16 @@ void visibility(const light_map<typename Encoding::texel, Light>& map, const Enc
     if constexpr (requires { filter.reach(); }) reach = filter.reach();
     using placing = typename detail::placing_of<Light>::type;
     const placing place(map.light, map.texels.size, reach);
-    detail::require(place.size >= 1, function, "map.texels.size", "that of the light's tiles", map.texels.size);
-    detail::require_size(map.texels.size, glm::ivec2(placing::columns, placing::rows) * place.size, function,
-                         "map.texels.size", "that of the light's tiles");
+    const glm::ivec2 tile_size(place.size), tiles(placing::columns, placing::rows);
+    detail::require(tile_size.x >= 1 && tile_size.y >= 1, function, "map.texels.size", "that of the light's tiles",
+                    map.texels.size);
+    detail::require_size(map.texels.size, tiles * tile_size, function, "map.texels.size", "that of the light's tiles");
     const auto& directed = detail::in_direction(filter, detail::direction_of(encoding, filter));
     parallel(out.size.y, [&](int first, int last) {
         for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
             for (p.x = 0; p.x < out.size.x; ++p.x) {
                 const detail::placed_receiver r = place(points[p]);
-                const auto tile = map.texels.region(r.tile, glm::ivec2(place.size));
+                const auto tile = map.texels.region(r.tile, tile_size);
                 out[p] = detail::filtered(directed, decoded(clamped(tile), encoding), glm::vec2(r.at), r.at.z, p);
             }
     });
@@ -19044,7 +19384,7 @@ struct warped_cascade_uniforms {
     std::array<glm::mat<4, 4, T>, Count> to_texels;  ///< world to each map, for shadow_coordinate
     /// Of the cascades but the last, three at a time, filled up with the highest float: the sum of cascade_by_depth
     /// over all of them is a cascade's number.
-    std::array < glm::vec<3, T>, Count<4 ? 1 : (Count + 1) / 3> ends;
+    std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
     std::array<glm::vec<2, T>, Count> fades;  ///< scale and offset of cascade_fade
 };
 
@@ -19054,19 +19394,33 @@ struct warped_cascade_uniforms {
 /// @throws std::invalid_argument  map_size below 1, fade out of range
 template <real T, std::size_t Count>
 [[nodiscard]] warped_cascade_uniforms<T, Count> make_cascade_uniforms(
-    const std::array<warped_cascade<T>, Count>& cascades, int map_size, T fade) {
+    const std::array<warped_cascade<T>, Count>& cascades, glm::ivec2 map_size, T fade) {
     constexpr auto function = "make_cascade_uniforms";
     static_assert(Count >= 1);
-    detail::require(map_size >= 1, function, "map_size", "above 0", map_size);
-    detail::require(fade >= T(0) && fade <= T(1), function, "fade", "from 0 to 1", fade);
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
+    detail::require_fade(fade);
     warped_cascade_uniforms<T, Count> u;
-    u.ends.fill(glm::vec<3, T>(detail::highest<T>));
+    u.ends = detail::ends_of<T>(cascades);
     for (std::size_t i = 0; i < Count; ++i) {
         const warped_cascade<T>& c = cascades[i];
-        u.to_texels[i] = texture_matrix(c.light, glm::ivec2(map_size));
+        u.to_texels[i] = texture_matrix(c.light, map_size);
         u.fades[i] = detail::fade_of(c.begin, c.end, fade);
-        if (i + 1 < Count) u.ends[i / 3][static_cast<glm::length_t>(i % 3)] = c.end;
     }
+    return u;
+}
+
+/// Warped cascades of double for points relative to an origin: see texture_matrix. Their depth passes take relative_to.
+/// @throws std::invalid_argument  map_size below 1, fade out of range, what is not finite in float
+template <std::size_t Count>
+[[nodiscard]] warped_cascade_uniforms<float, Count> make_cascade_uniforms(
+    const std::array<warped_cascade<double>, Count>& cascades, glm::ivec2 map_size, float fade, glm::dvec3 origin) {
+    std::array<warped_cascade<float>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const warped_cascade<double>& c = cascades[i];
+        all[i] = {relative_to(c.light, origin), float(c.strength), float(c.begin), float(c.end)};
+    }
+    auto u = make_cascade_uniforms(all, map_size, fade);
+    for (std::size_t i = 0; i < Count; ++i) u.to_texels[i] = texture_matrix(cascades[i].light, map_size, origin);
     return u;
 }
 
@@ -19286,7 +19640,7 @@ struct along_view {
     double length;     ///< from their least y to the greatest
     double camera_y;
     double closest;  ///< least distance of receivers along the camera's view, no less than its near plane
-    double sine;     ///< of the angle between view and light
+    double sine;     ///< of the angle between view and light; 0 for an orthographic camera
 };
 
 template <real T>
@@ -19294,7 +19648,8 @@ template <real T>
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
     const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera, function, "camera")[2];
-    v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
+    // what an orthographic camera sees afar is no smaller: no warp, as where both look one way
+    v.sine = is_perspective(fit.camera) ? glm::length(glm::cross(view, unit(glm::dvec3(fit.direction)))) : 0.0;
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
     const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
@@ -19368,8 +19723,8 @@ template <real T = float>
 ///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: near the best
 ///                   on a ground, whose depth on the screen is foreshortened, if it is seen from there on; too small
 ///                   where nothing is for long: see seen_range
-/// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
-///                   from there to 0.2 the warp grows, without a jump
+/// @return           strength 0, which is no warp, for orthographic cameras and where the sine of the angle between
+///                   view and light is 0.02 or less; from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
 ///                                casters that are no box, a margin out of range, distance not above 0, and what gives
 ///                                matrices that are not finite
@@ -19407,7 +19762,7 @@ enum class light_image {
     source,    ///< a light before the camera: rays leave a point
     sink,      ///< one behind it: they end in a point
     parallel,  ///< one abreast of it: they stay parallel, or nearly
-    none       ///< a point amid the receivers, or too close to them: not warped so
+    none       ///< a point amid the receivers, or too close to them, or no perspective: not warped so
 };
 
 template <real T>
@@ -19418,9 +19773,8 @@ struct perspective_light : warped_light<T> {
 namespace detail {
 
 /// World to a camera's NDC, in double: the camera moved back, its planes around points.
-template <real T>
-[[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
-                                   const char* function) {
+[[nodiscard]] inline glm::dmat4 slid_back(const frustum<double>& camera, const std::vector<glm::dvec3>& points,
+                                          double slide, const char* function) {
     const glm::dvec3 eye(camera.position), ahead = axes(camera, function, "camera")[2];
     double least = highest<double>, greatest = -least;
     for (const glm::dvec3& p : points) {
@@ -19433,9 +19787,10 @@ template <real T>
             "near enough to the camera for finite distances", glm::dvec2(z_near, z_far));
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
-    return perspective(double(camera.tan_half_x), double(camera.tan_half_y), z_near, z_far, opengl_clip_space,
-                       function) *
-           view;
+    const glm::dvec2 tangents(camera.tan_half_x, camera.tan_half_y);
+    glm::dmat4 projection = perspective(tangents.x, tangents.y, z_near, z_far, opengl_clip_space, function);
+    projection[2] += glm::dvec4(camera.shift / tangents, 0.0, 0.0);
+    return projection * view;
 }
 
 /// The least and the greatest of angles under which points lie, in x and in y, z ahead.
@@ -19539,8 +19894,9 @@ template <real T, class Instead>
                                                   const glm::dmat4& frame, const glm::dmat4& stand_in,
                                                   Instead&& instead) {
     require(is_normal(slide) && slide > T(0), function, "slide", "above 0 and finite", slide);
+    if (!is_perspective(fit.camera)) return {instead(), light_image::none};
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
-    const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
+    const glm::dmat4 to_ndc = slid_back(of_one_eye(fit.camera, function), receivers, double(slide), function);
     const glm::dvec4 image = to_ndc * light;
     std::vector<glm::dvec3> in_ndc;
     for (const glm::dvec3& p : receivers) {
@@ -19668,14 +20024,15 @@ template <real T>
     // along the light onto the plane, and from there onto the screen; heights over the plane are depth
     const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
     const glm::dmat3 camera = axes(fit.camera, function, "camera");
+    const frustum<double> eye = of_one_eye(fit.camera, function);
+    const bool shrinks = is_perspective(eye);
+    const glm::dvec2 size = shrinks ? glm::dvec2(eye.tan_half_x, eye.tan_half_y) : eye.half_size;
+    const auto row = [&](const glm::dvec3& a) { return glm::dvec4(a, -glm::dot(a, eye.position)) * cast; };
     glm::dmat4 rows;
-    const auto row = [&](const glm::dvec3& a) {
-        return glm::dvec4(a, -glm::dot(a, glm::dvec3(fit.camera.position))) * cast;
-    };
-    rows[0] = row(camera[0] / double(fit.camera.tan_half_x));
-    rows[1] = row(camera[1] / double(fit.camera.tan_half_y));
+    rows[0] = row((camera[0] - eye.shift.x * camera[2]) / size.x);
+    rows[1] = row((camera[1] - eye.shift.y * camera[2]) / size.y);
     rows[2] = -ground;
-    rows[3] = row(camera[2]);
+    rows[3] = shrinks ? row(camera[2]) : glm::dvec4(0, 0, 0, 1) * cast;
     const glm::dmat4 to_map = glm::transpose(rows);
 
     double least = highest<double>, greatest = 0.0;
@@ -19683,8 +20040,9 @@ template <real T>
         const double w = (to_map * glm::dvec4(p, 1.0)).w;
         least = lesser(least, w), greatest = greater(greatest, w);
     }
-    const double eye = glm::dot(ground, glm::dvec4(glm::dvec3(fit.camera.position), 1.0));
-    if (!(least > 0.0 && glm::abs(eye) > 1e-6 * greatest)) return {};
+    const double above = shrinks ? glm::dot(ground, glm::dvec4(eye.position, 1.0))
+                                 : glm::dot(glm::dvec3(ground), camera * glm::dvec3(eye.shift, 1.0));
+    if (!(least > 0.0 && glm::abs(above) > 1e-6 * greatest)) return {};
     const double edge = 1.0 + 2.0 * double(fit.margin);
     // w is a plane's point's, by a share that a point light takes away on the way towards it
     const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
@@ -19763,8 +20121,8 @@ namespace umbrage {
 /// @param focus   distance along the camera's view up to which four fifths of the map are for, world units, >= 0;
 ///                receivers that begin behind it get the strongest warp there is; none where four fifths of the
 ///                receivers lie before it
-/// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
-///                from there to 0.2 the warp grows, without a jump
+/// @return        strength 0, which is no warp, for orthographic cameras and where the sine of the angle between view
+///                and light is 0.02 or less; from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
 ///                                casters that are no box, a margin out of range, focus negative or not finite, and
 ///                                what gives matrices that are not finite
@@ -23469,7 +23827,8 @@ namespace glsl {
 /// How a shader's text chooses one of several maps: a layer of an array, or a tile of an atlas.
 struct map_choice {
     bool atlas = false;
-    std::string_view tile{};  ///< snippet that gives a tile's first texel
+    std::string_view tile{};                 ///< snippet that gives a tile's first texel, of its number
+    std::string_view tile_size = "terms.x";  ///< and size
 
     /// The statement that chooses the map of a number, in a set-up's text: the first one, or another.
     [[nodiscard]] std::string first(std::string_view number) const {
@@ -23477,7 +23836,13 @@ struct map_choice {
     }
     [[nodiscard]] std::string again(std::string_view number) const {
         if (!atlas) return std::string("    layer = ").append(number).append(";\n");
-        return std::string("    origin = umbrage_").append(tile).append("(").append(number).append(", terms.x);\n");
+        return std::string("    origin = umbrage_")
+            .append(tile)
+            .append("(")
+            .append(number)
+            .append(", ")
+            .append(tile_size)
+            .append(");\n");
     }
 };
 
@@ -23499,7 +23864,7 @@ concept shadow_set_up = std::copyable<SetUp> &&
     { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // of the maps, each with its depth pass
     { SetUp::grid } -> std::convertible_to<map_grid>;                  // of the maps in one image
     { SetUp::outside } -> std::convertible_to<outside_map>;            // what texels outside a map count as
-    { SetUp::tile } -> std::convertible_to<std::string_view>;          // snippet of a map's first texel; "" for one map
+    { SetUp::tiles } -> std::convertible_to<glsl::map_choice>;         // of an atlas; of one map nothing
     { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
     {std::span<const uniform_field>(SetUp::fields)};
     { SetUp::visibility(u, terms, v, v, look) } -> std::same_as<float>;
@@ -23575,7 +23940,7 @@ struct cascaded_maps {
     static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
     static constexpr map_grid grid{2, 2};
     static constexpr outside_map outside = outside_map::bordered;
-    static constexpr std::string_view tile = glsl::cascade_tile.name;
+    static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
     [[nodiscard]] clip_space clip() const { return cascades.front().light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
@@ -23680,7 +24045,7 @@ struct cube_maps {
     static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
     static constexpr map_grid grid{3, 2};
     static constexpr outside_map outside = outside_map::clamped;
-    static constexpr std::string_view tile = glsl::cube_tile.name;
+    static constexpr glsl::map_choice tiles{true, glsl::cube_tile.name};
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
@@ -23754,7 +24119,7 @@ struct single_map {
     static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}};
     static constexpr map_grid grid{1, 1};
     static constexpr outside_map outside = outside_map::bordered;
-    static constexpr std::string_view tile{};
+    static constexpr glsl::map_choice tiles{};
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
@@ -24086,7 +24451,7 @@ template <class SetUp, class Filter, class Encoding>
     if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
-    item.texts = detail::shadow_texts<SetUp>(of.filter(), map_choice{!layers, SetUp::tile});
+    item.texts = detail::shadow_texts<SetUp>(of.filter(), layers ? map_choice{} : SetUp::tiles);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{

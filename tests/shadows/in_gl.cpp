@@ -217,7 +217,8 @@ int main(int argc, char** argv) try {
     image<float> layers({256, 256 * 4});
     for (int i = 0; i < 4; ++i)
         for (int y = 0; y < 256; ++y)
-            for (int x = 0; x < 256; ++x) layers[{x, y + 256 * i}] = sun_map[cascade_tile(i, 256) + glm::ivec2(x, y)];
+            for (int x = 0; x < 256; ++x)
+                layers[{x, y + 256 * i}] = sun_map[cascade_tile(i, glm::ivec2(256)) + glm::ivec2(x, y)];
 
     std::mt19937 random(11);
     std::uniform_real_distribution<float> anywhere(-12, 12), tilt(-1, 1);

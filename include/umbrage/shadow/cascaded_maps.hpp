@@ -43,7 +43,7 @@ struct cascaded_maps {
     static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
     static constexpr map_grid grid{2, 2};
     static constexpr outside_map outside = outside_map::bordered;
-    static constexpr std::string_view tile = glsl::cascade_tile.name;
+    static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
     [[nodiscard]] clip_space clip() const { return cascades.front().light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {

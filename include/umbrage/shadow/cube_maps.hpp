@@ -33,7 +33,7 @@ struct cube_maps {
     static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
     static constexpr map_grid grid{3, 2};
     static constexpr outside_map outside = outside_map::clamped;
-    static constexpr std::string_view tile = glsl::cube_tile.name;
+    static constexpr glsl::map_choice tiles{true, glsl::cube_tile.name};
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {

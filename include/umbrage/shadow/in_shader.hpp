@@ -111,7 +111,7 @@ template <class SetUp, class Filter, class Encoding>
     if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
-    item.texts = detail::shadow_texts<SetUp>(of.filter(), map_choice{!layers, SetUp::tile});
+    item.texts = detail::shadow_texts<SetUp>(of.filter(), layers ? map_choice{} : SetUp::tiles);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{

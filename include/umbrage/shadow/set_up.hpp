@@ -45,7 +45,8 @@ namespace glsl {
 /// How a shader's text chooses one of several maps: a layer of an array, or a tile of an atlas.
 struct map_choice {
     bool atlas = false;
-    std::string_view tile{};  ///< snippet that gives a tile's first texel
+    std::string_view tile{};                 ///< snippet that gives a tile's first texel, of its number
+    std::string_view tile_size = "terms.x";  ///< and size
 
     /// The statement that chooses the map of a number, in a set-up's text: the first one, or another.
     [[nodiscard]] std::string first(std::string_view number) const {
@@ -53,7 +54,13 @@ struct map_choice {
     }
     [[nodiscard]] std::string again(std::string_view number) const {
         if (!atlas) return std::string("    layer = ").append(number).append(";\n");
-        return std::string("    origin = umbrage_").append(tile).append("(").append(number).append(", terms.x);\n");
+        return std::string("    origin = umbrage_")
+            .append(tile)
+            .append("(")
+            .append(number)
+            .append(", ")
+            .append(tile_size)
+            .append(");\n");
     }
 };
 
@@ -75,7 +82,7 @@ concept shadow_set_up = std::copyable<SetUp> &&
     { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // of the maps, each with its depth pass
     { SetUp::grid } -> std::convertible_to<map_grid>;                  // of the maps in one image
     { SetUp::outside } -> std::convertible_to<outside_map>;            // what texels outside a map count as
-    { SetUp::tile } -> std::convertible_to<std::string_view>;          // snippet of a map's first texel; "" for one map
+    { SetUp::tiles } -> std::convertible_to<glsl::map_choice>;         // of an atlas; of one map nothing
     { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
     {std::span<const uniform_field>(SetUp::fields)};
     { SetUp::visibility(u, terms, v, v, look) } -> std::same_as<float>;

@@ -25,7 +25,7 @@ struct single_map {
     static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}};
     static constexpr map_grid grid{1, 1};
     static constexpr outside_map outside = outside_map::bordered;
-    static constexpr std::string_view tile{};
+    static constexpr glsl::map_choice tiles{};
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }

@@ -19,9 +19,9 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_TILE
 #define UMBRAGE_HAS_CASCADE_TILE
-// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
-UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float size) {
-    UMBRAGE_HIGHP float row = number < 1.5 ? 0.0 : 1.0;
-    return vec2((number - row * 2.0) * size, row * size);
+// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 size) {
+    UMBRAGE_HIGHP float row = floor(number * 0.5);
+    return vec2(number - row * 2.0, row) * size;
 }
 #endif

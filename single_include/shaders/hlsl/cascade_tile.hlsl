@@ -4,9 +4,9 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_TILE
 #define UMBRAGE_HAS_CASCADE_TILE
-// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
-float2 umbrage_cascade_tile(float number, float size) {
-    float row = number < 1.5 ? 0.0 : 1.0;
-    return float2((number - row * 2.0) * size, row * size);
+// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+float2 umbrage_cascade_tile(float number, float2 size) {
+    float row = floor(number * 0.5);
+    return float2(number - row * 2.0, row) * size;
 }
 #endif

@@ -45,7 +45,7 @@ inline constexpr glm::vec3 up(0, 1, 0);
         .direction = {0.1f, -1, 0.1f},
         .up = {0, 0, 1},
         .scene = bounds,
-        .map_size = 256,
+        .map_size = glm::ivec2(256),
         .margin = 4,
         .overlap = 0.1f,
         .clip = clip};

@@ -17,7 +17,7 @@ struct from_above {
     static constexpr uniform_field fields[]{{"scale", false}};
     static constexpr map_grid grid{1, 1};
     static constexpr outside_map outside = outside_map::bordered;
-    static constexpr std::string_view tile{};
+    static constexpr glsl::map_choice tiles{};
 
     [[nodiscard]] clip_space clip() const { return cpu_clip_space; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {

@@ -1,0 +1,27 @@
+// umbrage 0.1.0, cascade_column_8: one of eight columns, without an index. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CASCADE_COLUMN
+#define UMBRAGE_HAS_CASCADE_COLUMN
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+inline float4 umbrage_cascade_column(metal::float4x4 columns, float number) {
+    float4 low = number < 0.5 ? columns[0] : columns[1];
+    float4 high = number < 2.5 ? columns[2] : columns[3];
+    return number < 1.5 ? low : high;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADE_COLUMN_8
+#define UMBRAGE_HAS_CASCADE_COLUMN_8
+// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+inline float4 umbrage_cascade_column_8(metal::float4x4 nearer, metal::float4x4 farther, float number) {
+    float4 low = umbrage_cascade_column(nearer, number);
+    float4 high = umbrage_cascade_column(farther, number - 4.0);
+    return number < 3.5 ? low : high;
+}
+#endif
