@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Four shadows in one shader: a cascaded sun, a spot packed into bytes, a spot under a comparison sampler and a cube.
-// OpenGL draws what each says of the same receivers, from blocks that hold the bytes of uniforms(); C++ says it too.
+// Shadows in shaders: a cascaded sun, a spot packed into bytes, one under a comparison sampler and a cube in one; soft
+// shadows and prefiltered maps in another. OpenGL and C++ have to say the same of each receiver.
 //
 //     shadows_in_gl          prints how many receivers differ, in each dialect; 1 when some do
-//     shadows_in_gl --fault  one number of each block is wrong: all four must differ
-#include <epoxy/gl.h>
-
-#include <bit>
+//     shadows_in_gl --fault  one number of each block is wrong: all must differ
 #include <cstdio>
-#include <cstring>
 #include <exception>
-#include <functional>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,184 +16,42 @@
 
 #include "../../examples/viewer/headless.hpp"
 #include "../unit/shadow/scene.hpp"
+#include "drawn_in_gl.hpp"
 
 namespace {
 
-using namespace umbrage;
+using namespace shadows_in_gl;
 using glsl::bind;
-using glsl::version;
 
-constexpr glm::ivec2 target_size(512, 64);
+/// The receivers' places and normals.
+struct receivers {
+    image<glm::vec4> points{target_size}, normals{target_size};
 
-/// A texture's texels and how OpenGL takes them.
-struct texture_data {
-    GLenum kind = GL_TEXTURE_2D;
-    GLint internal = GL_R32F;
-    GLenum format = GL_RED, type = GL_FLOAT;
-    glm::ivec3 size{0, 0, 1};
-    const void* texels = nullptr;
-    bool compares = false;
-};
-
-/// A shadow, its map, and what shaders and C++ say of it.
-struct tried {
-    std::string name;
-    glsl::bound item;
-    std::vector<float> block;
-    texture_data map;
-    std::function<float(glm::vec3 world, glm::vec3 normal, glm::ivec2 pixel)> twin;
-    bool takes_pixel = false;
-};
-
-template <class Shadow>
-tried make(std::string name, const Shadow& s, glsl::bound item, texture_data map,
-           const image<typename Shadow::texel>& texels) {
-    const auto uniforms = s.uniforms();
-    std::vector<float> block(sizeof uniforms / sizeof(float));
-    std::memcpy(block.data(), &uniforms, sizeof uniforms);
-    return {
-        std::move(name), std::move(item), std::move(block), map,
-        [&s, &texels](glm::vec3 world, glm::vec3 normal, glm::ivec2 pixel) { return s(texels, world, normal, pixel); }};
-}
-
-GLuint upload(const texture_data& t) {
-    GLuint id = 0;
-    glGenTextures(1, &id);
-    glBindTexture(t.kind, id);
-    for (const auto filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(t.kind, GLenum(filter), GL_NEAREST);
-    for (const auto wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(t.kind, GLenum(wrap), GL_CLAMP_TO_EDGE);
-    if (t.compares) glTexParameteri(t.kind, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    if (t.kind == GL_TEXTURE_2D_ARRAY)
-        glTexImage3D(t.kind, 0, t.internal, t.size.x, t.size.y, t.size.z, 0, t.format, t.type, t.texels);
-    else glTexImage2D(t.kind, 0, t.internal, t.size.x, t.size.y, 0, t.format, t.type, t.texels);
-    return id;
-}
-
-GLuint compiled(GLenum stage, const std::string& text) {
-    const GLuint id = glCreateShader(stage);
-    const char* source = text.c_str();
-    glShaderSource(id, 1, &source, nullptr);
-    glCompileShader(id);
-    GLint good = 0;
-    glGetShaderiv(id, GL_COMPILE_STATUS, &good);
-    char log[4096] = "";
-    if (!good) glGetShaderInfoLog(id, sizeof log, nullptr, log), throw std::runtime_error(log);
-    return id;
-}
-
-/// A program that draws the four visibilities of the receivers in two textures.
-GLuint linked(version v, const std::vector<tried>& all) {
-    const bool old = v == version::v100;
-    std::vector<glsl::bound> items;
-    std::string calls;
-    for (const tried& t : all) {
-        items.push_back(t.item);
-        calls += (calls.empty() ? "" : ", ") + ("umbrage_" + t.name + "(world, normal") +
-                 (t.takes_pixel ? ", gl_FragCoord.xy)" : ")");
+    receivers() {
+        std::mt19937 random(11);
+        std::uniform_real_distribution<float> anywhere(-12, 12), tilt(-1, 1);
+        for (glm::vec4& p : points.texels()) p = {anywhere(random), random() % 4 == 0 ? 2 : 0, anywhere(random), 1};
+        for (glm::vec4& n : normals.texels())
+            n = random() % 2 == 0 ? glm::vec4(0, 1, 0, 0) : glm::vec4(tilt(random), 2, tilt(random), 0);
+        for (int i = 0; i < 40; ++i) normals[{i, 3}] = glm::vec4(0);
     }
-    const std::string read = old ? "texture2D(" : "texture(";
-    const std::string main_text = std::string(old ? "" : "out vec4 color;\n") +
-                                  "uniform sampler2D points, normals;\n"
-                                  "void main() {\n"
-                                  "    vec2 at = gl_FragCoord.xy / vec2(512.0, 64.0);\n"
-                                  "    vec3 world = " +
-                                  read + "points, at).xyz, normal = " + read + "normals, at).xyz;\n" +
-                                  (old ? "    gl_FragColor" : "    color") + " = vec4(" + calls + ");\n}\n";
-    const GLuint program = glCreateProgram();
-    const std::string corner = old ? "attribute vec2 corner;" : "in vec2 corner;";
-    glAttachShader(program, compiled(GL_VERTEX_SHADER, "#version " + std::string(directive(v)) + "\n" + corner +
-                                                           "void main() { gl_Position = vec4(corner, 0.0, 1.0); }"));
-    glAttachShader(program,
-                   compiled(GL_FRAGMENT_SHADER,
-                            glsl::source(v, items, old ? "precision highp float;\nprecision highp sampler2D;\n" : "") +
-                                main_text));
-    glBindAttribLocation(program, 0, "corner");
-    glLinkProgram(program);
-    GLint good = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &good);
-    char log[4096] = "";
-    if (!good) glGetProgramInfoLog(program, sizeof log, nullptr, log), throw std::runtime_error(log);
-    glUseProgram(program);
-    return program;
-}
+};
 
-void give_uniforms(GLuint program, version v, const std::vector<tried>& all) {
+/// Draws, compares, prints.
+/// @return   false where a receiver differs, or with a fault where none does
+bool agree(version v, std::vector<tried> all, const receivers& of, bool fault) {
+    if (fault)
+        for (tried& t : all) t.block[0] += 0.01f;
+    const auto wrong = compare(v, all, of.points, of.normals);
+    std::printf("GLSL %s, %s: %d receivers, differing:", std::string(directive(v)).c_str(), glGetString(GL_RENDERER),
+                target_size.x * target_size.y);
+    bool good = true;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const tried& t = all[i];
-        const auto unit = static_cast<GLint>(i + 2);
-        const std::string block = "umbrage_" + t.name + "_block", map = "umbrage_" + t.name + "_map";
-        glUniform1i(glGetUniformLocation(program, map.c_str()), unit);
-        if (v == version::v100) {
-            glUniform4fv(glGetUniformLocation(program, block.c_str()), static_cast<GLsizei>(t.block.size() / 4),
-                         t.block.data());
-            continue;
-        }
-        const GLuint index = glGetUniformBlockIndex(program, block.c_str());
-        GLint size = 0;
-        glGetActiveUniformBlockiv(program, index, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
-        if (static_cast<std::size_t>(size) != t.block.size() * sizeof(float))
-            throw std::runtime_error(block + ": OpenGL has another size than C++");
-        GLuint buffer = 0;
-        glGenBuffers(1, &buffer);
-        glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i), buffer);
-        glBufferData(GL_UNIFORM_BUFFER, size, t.block.data(), GL_STATIC_DRAW);
-        glUniformBlockBinding(program, index, static_cast<GLuint>(i));
+        std::printf(" %s %d", all[i].name.c_str(), wrong[i]);
+        good = good && fault == (wrong[i] != 0);
     }
-    glUniform1i(glGetUniformLocation(program, "points"), 0);
-    glUniform1i(glGetUniformLocation(program, "normals"), 1);
-}
-
-/// Draws in one dialect and compares.
-/// @return   receivers that differ, of each shadow
-std::vector<int> compare(version v, const std::vector<tried>& all, const image<glm::vec4>& points,
-                         const image<glm::vec4>& normals) {
-    const bool bytes = v == version::v100;  // OpenGL ES 2 has no targets of floats
-    const glm::ivec3 size(target_size, 1);
-    GLuint frame = 0, unit = 0;
-    const GLint internal = bytes ? GLint(GL_RGBA) : GL_RGBA32F;
-    const auto receivers = [&](const image<glm::vec4>& of) {
-        glActiveTexture(GL_TEXTURE0 + unit++);
-        upload({GL_TEXTURE_2D, internal, GL_RGBA, GL_FLOAT, size, of.texels().data()});
-    };
-    receivers(points);
-    receivers(normals);
-    for (const tried& t : all) glActiveTexture(GL_TEXTURE0 + unit++), upload(t.map);
-    glActiveTexture(GL_TEXTURE0 + unit);
-    const GLuint color =
-        upload({GL_TEXTURE_2D, internal, GL_RGBA, GLenum(bytes ? GL_UNSIGNED_BYTE : GL_FLOAT), size, nullptr});
-    glGenFramebuffers(1, &frame);
-    glBindFramebuffer(GL_FRAMEBUFFER, frame);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
-    give_uniforms(linked(v, all), v, all);
-    const float corners[] = {-1, -1, 3, -1, -1, 3};
-    GLuint buffer = 0, array = 0;
-    if (!bytes) glGenVertexArrays(1, &array), glBindVertexArray(array);
-    glGenBuffers(1, &buffer);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glViewport(0, 0, target_size.x, target_size.y);
-    glDisable(GL_DITHER);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    image<glm::vec4> drawn(target_size);
-    image<glm::u8vec4> in_bytes(target_size);
-    if (bytes) glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, in_bytes.texels().data());
-    else glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, drawn.texels().data());
-    if (const GLenum error = glGetError()) throw std::runtime_error("OpenGL error " + std::to_string(error));
-
-    std::vector<int> wrong(all.size());
-    for (glm::ivec2 p(0); p.y < target_size.y; ++p.y)
-        for (p.x = 0; p.x < target_size.x; ++p.x)
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                const float expected = all[i].twin(glm::vec3(points[p]), glm::vec3(normals[p]), p);
-                const auto k = static_cast<glm::length_t>(i);
-                wrong[i] += bytes ? std::abs(expected * 255.0f - float(in_bytes[p][k])) > 0.5001f
-                                  : std::bit_cast<std::uint32_t>(drawn[p][k]) != std::bit_cast<std::uint32_t>(expected);
-            }
-    return wrong;
+    std::puts("");
+    return good;
 }
 
 }  // namespace
@@ -220,15 +72,17 @@ int main(int argc, char** argv) try {
             for (int x = 0; x < 256; ++x)
                 layers[{x, y + 256 * i}] = sun_map[cascade_tile(i, glm::ivec2(256)) + glm::ivec2(x, y)];
 
-    std::mt19937 random(11);
-    std::uniform_real_distribution<float> anywhere(-12, 12), tilt(-1, 1);
-    image<glm::vec4> points(target_size), normals(target_size);
-    for (glm::vec4& p : points.texels()) p = {anywhere(random), random() % 4 == 0 ? 2 : 0, anywhere(random), 1};
-    for (glm::vec4& n : normals.texels())
-        n = random() % 2 == 0 ? glm::vec4(0, 1, 0, 0) : glm::vec4(tilt(random), 2, tilt(random), 0);
-    for (int i = 0; i < 40; ++i) normals[{i, 3}] = glm::vec4(0);
+    const filters::pcss contact{.softness = {0.05f, 0.5f, 8.0f}};
+    const shadow soft(shadow_scene::fitted(clip), {200, 300}, contact);
+    const shadow soft_sun(shadow_scene::cascades(clip), {256, 256}, contact);
+    const shadow variance(shadow_scene::spot(clip), {256, 256}, prefilters::vsm{});
+    const shadow powers(shadow_scene::bulb(clip), {256, 256}, prefilters::evsm4{});
+    const auto soft_map = shadow_scene::drawn(soft), soft_sun_map = shadow_scene::drawn(soft_sun);
+    const auto variance_map = shadow_scene::drawn(variance);
+    const auto powers_map = shadow_scene::drawn(powers);
 
-    int status = 0;
+    const receivers of;
+    bool good = true;
     for (const version v : {version::v330, version::v450, version::v100}) {
         const bool old = v == version::v100;
         const viewer::headless context(old);
@@ -263,19 +117,26 @@ int main(int argc, char** argv) try {
                  depth, sampled_map));
         all.push_back(make("bulb", bulb, bind(bulb, "bulb", {.block = 3, .texture = 4}), faces, bulb_map));
         all.back().takes_pixel = true;
-        if (fault)
-            for (tried& t : all) t.block[0] += 0.01f;
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        const auto wrong = compare(v, all, points, normals);
-        std::printf("GLSL %s, %s: %d receivers, differing:", std::string(directive(v)).c_str(),
-                    glGetString(GL_RENDERER), target_size.x * target_size.y);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            std::printf(" %s %d", all[i].name.c_str(), wrong[i]);
-            if (fault ? wrong[i] == 0 : wrong[i] != 0) status = 1;
-        }
-        std::puts("");
+        good = agree(v, std::move(all), of, fault) && good;
+        if (old) continue;  // which has no textures of two or four floats
+
+        const auto floats = [](const auto& map, GLint internal, GLenum format) {
+            return texture_data{
+                .internal = internal, .format = format, .size = {map.size(), 1}, .texels = map.texels().data()};
+        };
+        std::vector<tried> smooth;
+        smooth.push_back(make("soft", soft, bind(soft, "soft"), floats(soft_map, GL_R32F, GL_RED), soft_map));
+        smooth.push_back(make("soft_sun", soft_sun, bind(soft_sun, "soft_sun", {.block = 1, .texture = 2}),
+                              floats(soft_sun_map, GL_R32F, GL_RED), soft_sun_map));
+        smooth[0].takes_pixel = smooth[1].takes_pixel = true;
+        smooth.push_back(make("variance", variance, bind(variance, "variance", {.block = 2, .texture = 3}),
+                              floats(variance_map, GL_RG32F, GL_RG), variance_map));
+        smooth.push_back(make("powers", powers, bind(powers, "powers", {.block = 3, .texture = 4}),
+                              floats(powers_map, GL_RGBA32F, GL_RGBA), powers_map));
+        good = agree(v, std::move(smooth), of, fault) && good;
     }
-    return status;
+    return good ? 0 : 1;
 } catch (const viewer::no_context& e) {
     std::puts(e.what());
     return 77;

@@ -6,9 +6,7 @@
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
 //     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
-// In a shader with both as globals, ahead of the filter's text, which is bound to
-//
-//     {.depth = "umbrage_apply_receiver_plane(value.x, slope, coord, texel)", .needs = {apply_receiver_plane}}
+// In a shader bind the filter with {.receiver_plane = true}: behind the map it takes vec4(slope, coord) then.
 //
 #pragma once
 

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/shader/binding.hpp>
@@ -136,6 +137,9 @@ void check(const snippet& what, std::string_view name, const binding& map) {
     expression(map.arguments, "map.arguments", "expressions on one line");
     for (const snippet& need : map.needs)
         umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
+    umbrage::detail::require(!map.receiver_plane || !(map.gather || compares(map.texture)), "glsl::bind",
+                             "map.receiver_plane", "false where texels are gathered or compared by the sampler",
+                             map.receiver_plane);
     check_hooks(what, what, map);
 }
 
@@ -185,7 +189,9 @@ struct bound {
     bound(const snippet& s) : what(s) {}
     template <class = umbrage::detail::on_use>
     bound(const snippet& s, std::string_view name, binding b)
-        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)) {}
+        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)) {
+        if (map.receiver_plane) map.needs.push_back(apply_receiver_plane);
+    }
 };
 
 /// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.

@@ -48,7 +48,10 @@ public:
     [[nodiscard]] std::string text() && {
         for_each([&](const snippet& s, const bound& item, const std::string& guard) {
             const bool of_map = is_of_map(s);
-            const std::string body = language_.translate(s);
+            const std::string source = with_receiver_plane(s, item);
+            snippet own = s;
+            own.source = source.c_str();
+            const std::string body = language_.translate(own);
             if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
             text_ += of_map ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
             if (language_.preprocessor) text_ += "#endif\n";
@@ -114,6 +117,18 @@ private:
         }
         use(s, item, guard);
         done_.push_back({std::string(s.name), suffix, std::move(guard)});
+    }
+
+    /// A function's text with the receiver's plane as a parameter behind the map. Own texts make the plane themselves.
+    [[nodiscard]] static std::string with_receiver_plane(const snippet& s, const bound& item) {
+        std::string source(s.source.str());
+        if (!item.map.receiver_plane) return source;
+        for (const own_text& own : item.texts)
+            if (own.name == s.name) return source;
+        const std::string map = "UMBRAGE_MAP " + name_of_map(source);
+        for (auto at = source.find(map); at != source.npos; at = source.find(map, at + 1))
+            source.insert(at + map.size(), ", UMBRAGE_HIGHP vec4 receiver_plane");
+        return source;
     }
 
     /// A shadow's block, map and function, behind all that it calls.

@@ -138,6 +138,8 @@ template <class = umbrage::detail::on_use>
         return expression;
     };
     if (map.arguments.empty()) ours(arguments);
+    const bool has_plane = map.receiver_plane && contains(words_of(text), "receiver_plane");
+    const std::string depth = one_of(map.depth, "value.x");
     const auto list = [&](const std::string& all) {
         return replace_words(all,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
@@ -162,11 +164,14 @@ template <class = umbrage::detail::on_use>
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == own_map && !comment) return list(arguments);
+        if (word == own_map && !comment) return list(arguments) + (has_plane ? ", receiver_plane" : "");
         if (word == "UMBRAGE_PARAMETERS") return list(not_declared_in(text, parameters));
         if (word == "UMBRAGE_BORDER") return border;
         if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
-        if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
+        if (word == "UMBRAGE_DEPTH")
+            return of_texture(map.receiver_plane ? "umbrage_apply_receiver_plane(" + depth +
+                                                       ", receiver_plane.xy, receiver_plane.zw, texel)"
+                                                 : depth);
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(ours(words.lit));

@@ -31,48 +31,18 @@ struct shadow_slots {
 
 namespace detail {
 
-/// Whether a filter turns from pixel to pixel.
-template <class Filter>
-inline constexpr bool turns = requires(const Filter& f, const umbrage::detail::any_fetch& fetch) {
-    f(fetch, glm::vec2(), 0.0f, glm::ivec2());
-};
-
-/// What a filter's function takes behind the receiver.
-template <class Filter>
-[[nodiscard]] std::string arguments_of() {
-    std::string more;
-    if constexpr (requires(const Filter& f) { f.softness; })
-        more = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
-    else if constexpr (requires(const Filter& f) { f.radius_texels; }) more = ", filter_terms.x";
-    else if constexpr (requires(const Filter& f) { f.radius; }) more = ", int(filter_terms.x)";
-    return more + (turns<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
-}
-
 /// umbrage_look and umbrage_shadow, of one shadow's map alone.
 template <class SetUp, class Filter>
 [[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const map_choice& choice) {
-    const snippet& bias = umbrage::detail::reads_disc<Filter> ? acne_free_disc_bias : acne_free_bias;
+    constexpr bool turns = umbrage::detail::turning<Filter>;
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-    const std::string pixel = turns<Filter> ? ", UMBRAGE_HIGHP vec2 pixel" : "";
-    own_text look{"look",
-                  "\n// umbrage_look: visibility of a receiver in one map\n"
-                  "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, " +
-                      terms + "UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope" + pixel +
-                      ") {\n"
-                      "    UMBRAGE_HIGHP float bias = umbrage_" +
-                      std::string(bias.name) +
-                      "(slope, terms.z, terms.w);\n"
-                      "    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n"
-                      "    return umbrage_" +
-                      std::string(filter.snippet->name) + "(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver" +
-                      arguments_of<Filter>() + ");\n}\n"};
-    look.needs = {&bias, &biased, filter.snippet};
-    if (turns<Filter>) look.needs.push_back(&disc_rotation);
+    const std::string pixel = turns ? ", UMBRAGE_HIGHP vec2 pixel" : "";
+    own_text look = umbrage::detail::look_text(filter, terms, pixel);
 
     std::string parameters, body = SetUp::text(choice);
     for (const uniform_field& f : SetUp::fields)
         parameters += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
-    if (turns<Filter>)
+    if (turns)
         for (auto i = body.find("umbrage_look("); i != body.npos; i = body.find("umbrage_look(", i)) {
             i = body.find(";\n", i) - 1;
             body.insert(i, ", pixel");
@@ -105,7 +75,7 @@ template <class SetUp, class Filter, class Encoding>
                                      : "texture_2d, depth or shadow, as the shadow has one map",
                              static_cast<int>(kind));
     umbrage::detail::require(!name.empty(), "glsl::bind", "name", "given", name);
-    binding map = stored_as(of.encoding());
+    binding map = umbrage::detail::binding_of<Filter>(of.encoding());
     map.texture = kind;
     map.outside = SetUp::outside;
     if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
@@ -114,8 +84,10 @@ template <class SetUp, class Filter, class Encoding>
     item.texts = detail::shadow_texts<SetUp>(of.filter(), layers ? map_choice{} : SetUp::tiles);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
-    shader_interface declared{
-        std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, detail::turns<Filter>};
+    shader_interface declared{std::string(name),
+                              {},
+                              {slots.block, slots.texture, slots.sampler, slots.set},
+                              umbrage::detail::turning<Filter>};
     for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);

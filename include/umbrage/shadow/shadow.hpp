@@ -19,16 +19,17 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
-#include <umbrage/depth/depth32f.hpp>
-#include <umbrage/filter/filters.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/images/plane_visibility.hpp>
+#include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/rasterize.hpp>
 #include <umbrage/images/visibility.hpp>
+#include <umbrage/shadow/look.hpp>
 #include <umbrage/shadow/set_up.hpp>
 #include <umbrage/shadow/single_map.hpp>
 
@@ -46,32 +47,8 @@ struct shadow_uniforms {
     shadow_terms terms;
 };
 
-namespace detail {
-
-/// A filter's numbers, as a block holds them.
-[[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter) {
-    if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
-    else if constexpr (requires { filter.radius_texels; }) return {filter.radius_texels, 0.0f, 0.0f, 0.0f};
-    else if constexpr (requires { filter.radius; }) return {static_cast<float>(filter.radius), 0.0f, 0.0f, 0.0f};
-    else return glm::vec4(0.0f);
-}
-
-/// Whether a filter reads a disc's points, whose bias is another.
-template <class Filter>
-inline constexpr bool reads_disc = requires(const Filter& f) {
-    f.farthest_point();
-};
-
-/// Filters whose coordinate and receiver are all that they ask of a point.
-template <class Filter>
-concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
-    f(fetch, glm::vec2(), 0.0f);
-} && !requires(const Filter& f) { f.offsets; }
-&&!requires(const Filter& f) { f.epsilon; };
-
-}  // namespace detail
-
-template <shadow_set_up SetUp, detail::point_filter Filter, known_encoding Encoding = depth32f>
+template <shadow_set_up SetUp, shadow_filter Filter,
+          shadow_encoding<Filter> Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
 public:
     using texel = typename Encoding::texel;
@@ -80,8 +57,8 @@ public:
 
     /// @param light      a light_space, an array of cascades, a point_light, or a set-up of your own
     /// @param map_size   of one map, texels, each >= 1
-    /// @param filter     one of filters::; the direction of depth is the light's
-    /// @param encoding   how the map's texels hold depth; its direction is the light's
+    /// @param filter     one of filters:: or prefilters::; the direction of depth is the light's
+    /// @param encoding   how the map's texels hold depth; its direction is the light's. A prefilter's map holds moments
     /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or less than twice the
     ///                                filter's reach; what the set-up complains of
     template <class Light>
@@ -89,10 +66,13 @@ public:
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
         detail::require_given(set_up_.clip(), "shadow", "light.clip");
         detail::require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
-        filter_.is_lit.direction = encoding_.direction = set_up_.clip().direction;
-        detail::require(2.0f * filter_.reach() <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "shadow",
+        encoding_.direction = set_up_.clip().direction;
+        if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
+        else filter_.is_lit.direction = encoding_.direction;
+        const float reach = detail::reach_of(filter_);
+        detail::require(2.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "shadow",
                         "map_size", "twice the filter's reach or more", map_size,
-                        "The filter reaches " + detail::printed(filter_.reach()) + " texels to each side.");
+                        "The filter reaches " + detail::printed(reach) + " texels to each side.");
         uniforms_ = uniforms();
     }
 
@@ -105,7 +85,10 @@ public:
     /// Of one map; a texture array has this size.
     [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
     /// What an empty map holds: the far plane.
-    [[nodiscard]] texel cleared() const { return encoding_.cleared(); }
+    [[nodiscard]] texel cleared() const {
+        if constexpr (prefilter<Filter>) return filter_.encode(cleared_depth(encoding_.direction));
+        else return encoding_.cleared();
+    }
 
     /// Draws a mesh into the maps' depths, each map's own view of it, nearer depths winning.
     /// @param depths   of size(), cleared to cleared_depth of the light's clip space, or drawn into before
@@ -120,6 +103,15 @@ public:
                             parallel);
     }
 
+    /// Makes the map's texels of drawn depths; blur a prefilter's afterwards (blur.hpp), map by map.
+    /// @throws std::invalid_argument  one of them of another size
+    template <class ParallelFor = serial>
+    void store(image_view<const float> depths, image_view<texel> map, ParallelFor&& parallel = {}) const {
+        detail::require_size(map.size, size(), "shadow::store", "map.size", "the shadow's size()");
+        if constexpr (prefilter<Filter>) encode_moments(depths, map, filter_, parallel);
+        else encode(depths, map, encoding_, parallel);
+    }
+
     /// A receiver's visibility.
     /// @param map      of size(), texels of the encoding, drawn for this light
     /// @param world    the receiver; NaN is lit
@@ -132,8 +124,10 @@ public:
     [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
                                    glm::ivec2 pixel = {}) const {
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
-        return SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal,
-                                 [&](const map_place& place) { return look(map, place, pixel); });
+        return SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal, [&](const map_place& place) {
+            const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
+            return detail::look<SetUp::outside>(own, filter_, encoding_, receiver(place), place.slope, pixel);
+        });
     }
 
     /// Visibility of an image of receivers.
@@ -149,32 +143,21 @@ public:
     /// @param frame   points that the shader is given are relative to its origin; far from the world's origin give the
     ///                camera's place, and the light in double
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
-        float reach = filter_.reach();
-        if constexpr (detail::reads_disc<Filter>) reach = filter_.farthest_point();
-        const float rounding = 0x1p-24f * static_cast<float>(detail::greater(map_size_.x, map_size_.y));
+        const float size = static_cast<float>(detail::greater(map_size_.x, map_size_.y));
+        const float more = rasterizer_snap<float> + 0x1p-24f * size;  // of the rasterizer, and a coordinate's rounding
         const decoding_error both = encoding_.error();
-        const double error = set_up_.clip().direction == depth_direction::forward ? both.below : both.above;
+        const double error = encoding_.direction == depth_direction::forward ? both.below : both.above;
         return {set_up_.make_uniforms(map_size_, frame.origin),
-                {glm::vec2(map_size_), reach + rasterizer_snap<float> + rounding, static_cast<float>(error) + 0x1p-22f,
-                 detail::terms_of(filter_)}};
+                {glm::vec2(map_size_), detail::reach_of(filter_) + more, static_cast<float>(error) + 0x1p-22f,
+                 detail::terms_of(filter_, more)}};
     }
 
 private:
     /// A place's coordinate, and its depth biased.
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
-        const shadow_terms& terms = uniforms_.terms;
-        float bias = 0.0f;
-        if constexpr (detail::reads_disc<Filter>) bias = acne_free_disc_bias(place.slope, terms.reach, terms.error);
-        else bias = acne_free_bias(place.slope, terms.reach, terms.error);
-        return {place.at.x, place.at.y, biased(place.at.z, bias, filter_.is_lit)};
-    }
-    /// umbrage_look of in_shader.hpp.
-    [[nodiscard]] float look(image_view<const texel> map, const map_place& place, glm::ivec2 pixel) const {
-        const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
-        const glm::vec3 r = receiver(place);
-        if constexpr (SetUp::outside == outside_map::bordered)
-            return detail::filtered(filter_, decoded(bordered(own), encoding_), glm::vec2(r), r.z, pixel);
-        else return detail::filtered(filter_, decoded(clamped(own), encoding_), glm::vec2(r), r.z, pixel);
+        const comparison is_lit{encoding_.direction};
+        const float bias = detail::bias_of<Filter>(uniforms_.terms, place.slope);
+        return {place.at.x, place.at.y, biased(place.at.z, bias, is_lit)};
     }
 
     SetUp set_up_;
@@ -184,11 +167,11 @@ private:
     uniforms_type uniforms_{};
 };
 
-template <class Light, class Filter, class Encoding = depth32f>
+template <class Light, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {})
     -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
 
-template <shadow_set_up SetUp, detail::point_filter Filter, known_encoding Encoding>
+template <shadow_set_up SetUp, shadow_filter Filter, shadow_encoding<Filter> Encoding>
 template <class ParallelFor>
 void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                                                  image_view<const glm::vec3> normals, image_view<float> out,
@@ -199,13 +182,27 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     if constexpr (requires { SetUp::place(uniforms_.maps, glm::vec3(), glm::vec3()); }) {
         // one look-up a receiver: where each lies first, then all of them through the filter's fast form
-        image<glm::vec3> receivers(points.size);
-        parallel(out.size.y, [&](int first, int last) {
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < out.size.x; ++x)
-                    receivers[{x, y}] = receiver(SetUp::place(uniforms_.maps, points[{x, y}], normals[{x, y}]));
-        });
-        umbrage::visibility(map, encoding_, receivers, filter_, out, parallel, SetUp::outside);
+        const auto for_each_place = [&](const auto& use) {
+            parallel(out.size.y, [&](int first, int last) {
+                for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
+                    for (p.x = 0; p.x < out.size.x; ++p.x) use(p, SetUp::place(uniforms_.maps, points[p], normals[p]));
+            });
+        };
+        if constexpr (detail::contact_hardening<Filter>) {
+            image<float> x(points.size), y(points.size), depth(points.size), slope_x(points.size), slope_y(points.size);
+            for_each_place([&](glm::ivec2 p, const map_place& place) {
+                const glm::vec3 r = receiver(place);
+                x[p] = r.x, y[p] = r.y, depth[p] = r.z, slope_x[p] = place.slope.x, slope_y[p] = place.slope.y;
+            });
+            umbrage::visibility(map, encoding_, sloped_receivers{{x, y, depth}, slope_x, slope_y}, filter_, out,
+                                parallel, SetUp::outside);
+        } else {
+            image<glm::vec3> receivers(points.size);
+            for_each_place([&](glm::ivec2 p, const map_place& place) { receivers[p] = receiver(place); });
+            if constexpr (prefilter<Filter>)
+                umbrage::visibility(map, filter_, receivers, out, parallel, SetUp::outside);
+            else umbrage::visibility(map, encoding_, receivers, filter_, out, parallel, SetUp::outside);
+        }
     } else {
         parallel(out.size.y, [&](int first, int last) {
             for (glm::ivec2 p{0, first}; p.y < last; ++p.y)

@@ -46,6 +46,9 @@ TEST_CASE("bind: what cannot compile is refused, by argument and value") {
     refused(glsl::pcf_2x2, "a", stored_as(rgb24{}, {.gather = true}),
             "umbrage::glsl::bind: map.channels must be 1 or 2 where texels are gathered; got 3");
     CHECK_NOTHROW((void)bind(glsl::hard, "a", stored_as(rgb24{}, {.gather = true})));
+    refused(glsl::pcf_2x2, "a", {.gather = true, .receiver_plane = true},
+            "umbrage::glsl::bind: map.receiver_plane must be false where texels are gathered or compared by the "
+            "sampler; got true");
     refused(glsl::hard, "a", {.needs = {glsl::pcf_2x2}},
             "umbrage::glsl::bind: map.needs must be snippets that read no map; got \"pcf_2x2\"");
 }

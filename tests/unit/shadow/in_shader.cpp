@@ -67,6 +67,21 @@ TEST_CASE("in_shader: comparison samplers, arrays, and the pixel of filters that
               "float umbrage_bulb(vec3 world, vec3 normal, vec2 pixel) {"));
 }
 
+TEST_CASE("in_shader: contact hardening along the receiver's plane, and prefiltered maps, in each language") {
+    const shadow soft(shadow_scene::cascades(cpu_clip_space), {256, 256}, filters::pcss{});
+    const shadow smooth(shadow_scene::spot(cpu_clip_space), {256, 256}, prefilters::evsm4{});
+    const auto both = {bind(soft, "soft", {.map = glsl::texture::array}), bind(smooth, "smooth", {.block = 2})};
+    const std::string gl = glsl::text(both, version::v330), w = wgsl::text(both);
+    CHECK(has(gl, "vec4 receiver_plane = vec4(slope.x, slope.y, at.x, at.y);"));
+    CHECK(has(gl, "umbrage_pcss16_soft(map, layer, receiver_plane, vec2(terms.x, terms.y)"));
+    CHECK(has(gl, "        umbrage_look_soft(map, layer, terms"));
+    CHECK(has(gl, "float umbrage_soft(vec3 world, vec3 normal, vec2 pixel) {"));
+    CHECK(has(gl, "vec2(filter_terms.x, filter_terms.y), vec2(filter_terms.z, filter_terms.w));"));
+    CHECK(has(w, "layer: f32, receiver_plane: vec4f, size: vec2f,"));
+    CHECK(has(hlsl::text(both), "float4 receiver_plane, "));
+    CHECK(has(msl::text(both), "float4 receiver_plane, "));
+}
+
 TEST_CASE("in_shader: several shadows in one text, each under its name") {
     const std::string both = wgsl::text({bind(lamp_in_shader, "lamp"), bind(sun_in_shader, "sun", {.block = 2})});
     CHECK(has(both, "fn umbrage_lamp("));
@@ -103,5 +118,9 @@ TEST_CASE("in_shader: bad input") {
     CHECK(refusal([&] {
               (void)wgsl::text({bind(lamp_in_shader, "clamp_bias")});
           }).starts_with("umbrage::wgsl::text: name must be another than a snippet's"));
+    const shadow soft(shadow_scene::spot(cpu_clip_space), {256, 256}, filters::pcss{});
+    CHECK(refusal([&] {
+              (void)bind(soft, "soft", {.map = glsl::texture::shadow});
+          }).starts_with("umbrage::glsl::bind: map.receiver_plane must be false"));
     CHECK(refusal([&] { (void)glsl::text({lamp}); }).starts_with("umbrage::glsl::text: version must be given"));
 }

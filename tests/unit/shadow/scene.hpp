@@ -67,7 +67,7 @@ template <class Shadow>
     image<float> depths(s.size(), cleared_depth(s.set_up().clip()));
     s.draw(depths, mesh);
     image<typename Shadow::texel> map(s.size(), s.cleared());
-    encode(depths.view(), map.view(), s.encoding());
+    s.store(depths, map);
     return map;
 }
 

@@ -8,8 +8,10 @@
 #include <stdexcept>
 #include <string>
 
+#include <umbrage/bias/light_units.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/filter/filters.hpp>
+#include <umbrage/images/blur.hpp>
 #include <umbrage/shadow/shadow.hpp>
 
 #include "../images/last_piece_first.hpp"
@@ -103,6 +105,8 @@ TEST_CASE("shadow: a whole image has the bits of its receivers alone, in pieces 
     check(filters::tent<3>, depth32f{});
     check(filters::disc{}, rg<11>{});
     check(filters::pcss{}, depth32f{});
+    check(prefilters::vsm{}, moments<prefilters::vsm>{});
+    check(prefilters::evsm4{}, moments<prefilters::evsm4>{});
 }
 
 TEST_CASE("shadow: each step by hand gives the same bits") {
@@ -124,6 +128,56 @@ TEST_CASE("shadow: each step by hand gives the same bits") {
         const float by_hand = filter(decoded(bordered(map), encoding), glm::vec2(p), biased(p.z, bias));
         CHECK(s(map, world, up) == by_hand);
     }
+}
+
+TEST_CASE("shadow: contact hardening compares along the receiver's plane, and darkens no lit plane") {
+    const light_space<float> light = spot(cpu_clip_space);
+    const filters::pcss filter{.softness = make_penumbra_params(make_light_units(light, {256, 256}), 1.0f)};
+    const shadow s(light, {256, 256}, filter);
+    const auto map = drawn(s);
+    const glm::dmat4 to_texels = texture_matrix<double>(detail::in_double(light), {256, 256});
+    int soft = 0, dark = 0, wrong = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const glm::vec3 world(float(i % 63) * 0.3f - 9.3f, 0, float(i / 63) * 0.3f - 9.3f);
+        const float got = s(map, world, up);
+        const glm::vec3 p = project_coordinate(shadow_coordinate(glm::mat4(to_texels), world));
+        const glm::vec2 slope = receiver_slope(glm::mat4(plane_matrix(to_texels)), up, world);
+        const float bias = acne_free_bias(slope, 0.5f, 0x1p-22f);
+        wrong += got != filter(apply_receiver_plane(bordered(map), slope, glm::vec2(p)), glm::vec2(p), p.z - bias);
+        soft += got > 0 && got < 1;
+        dark += got < 1 && (glm::abs(world.x) > 5 || glm::abs(world.z) > 5);
+    }
+    CHECK(wrong == 0);
+    CHECK(soft > 20);
+    CHECK(dark == 0);
+}
+
+TEST_CASE("shadow: a prefiltered map holds moments, and by hand the same bits") {
+    for (const clip_space clip : {cpu_clip_space, unity_clip_space})
+        prefilters::all::for_each([&](const auto& filter) {
+            const light_space<float> light = fitted(clip);  // of linear depths, which ESM tells apart
+            const shadow s(light, {256, 256}, filter);
+            const auto sharp = drawn(s);
+            auto map = sharp;
+            blur(sharp, map, make_gaussian_kernel(5, 1.0f));
+            CHECK(s(map, {0, 0, 0}, up) < 0.2f);
+            CHECK(s(map, {7, 0, 6}, up) > 0.99f);
+            const glm::dmat4 to_texels = texture_matrix<double>(detail::in_double(light), {256, 256});
+            auto own = filter;
+            own.direction = clip.direction;
+            const float cleared = cleared_depth(clip.direction);
+            int wrong = 0;
+            for (int i = 0; i < 4000; ++i) {
+                const glm::vec3 world(float(i % 63) * 0.3f - 9.3f, 0, float(i / 63) * 0.3f - 9.3f);
+                const glm::vec3 p = project_coordinate(shadow_coordinate(glm::mat4(to_texels), world));
+                const glm::vec2 slope = receiver_slope(glm::mat4(plane_matrix(to_texels)), up, world);
+                const float reach = 1.0f + rasterizer_snap<float> + 0x1p-16f;
+                const float z = biased(p.z, acne_free_bias(slope, reach, 0x1p-22f), comparison{clip.direction});
+                const auto decode = [&](const auto& texel) { return own.decode(texel, z); };
+                wrong += s(map, world, up) != detail::look_up(bordered(map), glm::vec2(p), z, cleared, decode);
+            }
+            CHECK(wrong == 0);
+        });
 }
 
 TEST_CASE("shadow: points relative to an origin see what the world sees") {

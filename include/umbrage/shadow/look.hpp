@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+//
+// How a filter looks at one map of a shadow: what bias its receivers take, what it calls, in C++ and in GLSL.
+//
+// Percentage-closer filters (PCF) take the smallest bias for their reach. Contact hardening (PCSS, DPCF) compares along
+// the receiver's own plane, as its radius differs from receiver to receiver. Prefiltered maps (VSM, ESM, EVSM, MSM) are
+// looked up in texels of their own.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/constant.hpp>
+#include <umbrage/bias/receiver_plane.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/depth/depth32f.hpp>
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/filter/prefiltered/prefilters.hpp>
+#include <umbrage/images/visibility.hpp>
+#include <umbrage/shader/bind.hpp>
+#include <umbrage/shadow/set_up.hpp>
+
+namespace umbrage {
+
+/// Texels of a prefiltered map, in an encoding's place.
+template <prefilter Prefilter>
+struct moments {
+    using texel = typename Prefilter::texel;
+
+    depth_direction direction = depth_direction::forward;
+    [[nodiscard]] constexpr decoding_error error() const { return {}; }
+};
+
+namespace detail {
+
+/// Filters that ask for a coordinate, a receiver and perhaps a pixel, no more.
+template <class Filter>
+concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f);
+} && !requires(const Filter& f) { f.offsets; }
+&&!requires(const Filter& f) { f.epsilon; };
+
+/// Those whose radius differs from receiver to receiver: no bias for all would be small.
+template <class Filter>
+concept contact_hardening = point_filter<Filter> && requires(const Filter& f) {
+    f.softness;
+};
+
+/// Those that read a disc of one radius, whose bias is another.
+template <class Filter>
+concept disc_filter = point_filter<Filter> && !contact_hardening<Filter> && requires(const Filter& f) {
+    f.farthest_point();
+};
+
+/// Those that turn from pixel to pixel.
+template <class Filter>
+concept turning = point_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f, glm::ivec2());
+};
+
+template <class Filter>
+struct encoding_for {
+    using type = depth32f;
+};
+template <prefilter Prefilter>
+struct encoding_for<Prefilter> {
+    using type = moments<Prefilter>;
+};
+
+}  // namespace detail
+
+/// Filters that a shadow takes.
+template <class Filter>
+concept shadow_filter = detail::point_filter<Filter> || prefilter<Filter>;
+
+/// Encodings that a shadow takes: those of depths, or a prefilter's own moments.
+template <class Encoding, class Filter>
+concept shadow_encoding = (!prefilter<Filter> && known_encoding<Encoding>) ||
+                          (prefilter<Filter> && std::same_as<Encoding, typename detail::encoding_for<Filter>::type>);
+
+namespace detail {
+
+/// From a receiver to the farthest texel that counts, along an axis.
+[[nodiscard]] constexpr float reach_of(const auto& filter) {
+    if constexpr (requires { filter.reach(); }) return filter.reach();
+    else return 1.0f;  // of the four texels around it
+}
+
+/// The filter's numbers, as a block holds them.
+/// @param more   what rasterizer and rounding add to a reach
+[[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter, float more) {
+    if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
+    else if constexpr (requires { filter.radius_texels; })
+        return {filter.radius_texels, filter.farthest_point() + more, 0.0f, 0.0f};
+    else if constexpr (requires { filter.radius; }) return {static_cast<float>(filter.radius), 0.0f, 0.0f, 0.0f};
+    else if constexpr (requires { filter.settings; }) return {filter.settings.exponent, 0.0f, 0.0f, 0.0f};
+    else if constexpr (requires { filter.parameters; })
+        return glm::vec4(filter.parameters.exponents, filter.parameters.deviations);
+    else if constexpr (requires { filter.bias; }) return glm::vec4(filter.bias, 0.0f, 0.0f);
+    else if constexpr (requires { filter.min_variance; }) return {filter.min_variance, 0.0f, 0.0f, 0.0f};
+    else return glm::vec4(0.0f);
+}
+
+/// Bias of a receiver.
+template <class Filter>
+[[nodiscard]] float bias_of(const shadow_terms& terms, glm::vec2 slope) {
+    if constexpr (contact_hardening<Filter>) return acne_free_bias(slope, 0.5f, terms.error);
+    else if constexpr (disc_filter<Filter>) return acne_free_disc_bias(slope, terms.filter_terms.y, terms.error);
+    else return acne_free_bias(slope, terms.reach, terms.error);
+}
+
+/// The filter on one map.
+/// @param own        the map alone
+/// @param receiver   (x, y) in its texels, depth, biased
+template <outside_map Outside, class Filter, class Encoding>
+[[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
+                         glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
+    const glm::vec2 coord(receiver);
+    const auto on = [&](const auto& map) {
+        if constexpr (prefilter<Filter>) {
+            const auto decode = [&](const auto& texel) { return filter.decode(texel, receiver.z); };
+            return look_up(map, coord, receiver.z, cleared_depth(encoding.direction), decode);
+        } else if constexpr (contact_hardening<Filter>) {
+            const auto along = apply_receiver_plane(decoded(map, encoding), slope, coord, encoding.direction);
+            return filtered(filter, along, coord, receiver.z, pixel);
+        } else return filtered(filter, decoded(map, encoding), coord, receiver.z, pixel);
+    };
+    if constexpr (Outside == outside_map::clamped) return on(clamped(own));
+    else return on(bordered_texels<typename Encoding::texel>{own});
+}
+
+/// terms_of in GLSL: what the filter's function takes behind coordinate and receiver.
+template <class Filter>
+[[nodiscard]] std::string arguments_of() {
+    constexpr std::string_view x = ", filter_terms.x", xy = ", vec2(filter_terms.x, filter_terms.y)",
+                               zw = ", vec2(filter_terms.z, filter_terms.w)";
+    std::string all;
+    if constexpr (requires(const Filter& f) { f.softness; })
+        all = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
+    else if constexpr (requires(const Filter& f) { f.radius_texels; }) all = x;
+    else if constexpr (requires(const Filter& f) { f.radius; }) all = ", int(filter_terms.x)";
+    else if constexpr (requires(const Filter& f) { f.settings; }) all = x;
+    else if constexpr (requires(const Filter& f) { f.parameters; }) {
+        if constexpr (Filter::texel::length() == 4) all = std::string(xy).append(zw);
+        else all = std::string(x).append(", filter_terms.z");
+    } else if constexpr (requires(const Filter& f) { f.bias; }) all = xy;
+    else if constexpr (requires(const Filter& f) { f.min_variance; }) all = x;
+    return turning<Filter> ? all + ", umbrage_disc_rotation(pixel)" : all;
+}
+
+/// bias_of and look in GLSL: umbrage_look, for a filter's map alone.
+/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters that turn
+template <class Filter>
+[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
+    const glsl::snippet& bias = disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+    const std::string_view reach = contact_hardening<Filter> ? "0.5"
+                                   : disc_filter<Filter>     ? "filter_terms.y"
+                                                             : "terms.z";
+    std::string text =
+        "\n// umbrage_look: visibility of a receiver in one map\n"
+        "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
+    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope").append(pixel).append(") {\n");
+    if (contact_hardening<Filter>)
+        text += "    UMBRAGE_HIGHP vec4 receiver_plane = vec4(slope.x, slope.y, at.x, at.y);\n";
+    text.append("    UMBRAGE_HIGHP float bias = umbrage_").append(bias.name).append("(slope, ").append(reach);
+    text.append(", terms.w);\n    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
+    text.append(filter.snippet->name).append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver");
+    text.append(arguments_of<Filter>()).append(");\n}\n");
+    glsl::own_text look{"look", std::move(text), {&bias, &glsl::biased, filter.snippet}};
+    if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
+    return look;
+}
+
+/// The filter's map in a shader.
+template <class Filter, class Encoding>
+[[nodiscard]] glsl::binding binding_of(const Encoding& encoding) {
+    glsl::binding map{.direction = encoding.direction, .receiver_plane = contact_hardening<Filter>};
+    if constexpr (prefilter<Filter>) return map;
+    else return glsl::stored_as(encoding, std::move(map));
+}
+
+}  // namespace detail
+}  // namespace umbrage
