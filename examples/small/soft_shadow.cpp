@@ -36,25 +36,19 @@ int main() {
     umbrage::image<float> map(sun.size(), sun.cleared());
     sun.draw(map, {vertices, triangles});
 
-    // Receivers on the floor. A bias for the widest penumbra would take the shadow off the boards' feet: each receiver
-    // is compared along its plane instead, which leaves rounding alone to a bias.
-    const glm::vec3 eye(0, 3, 6.2f), up(0, 1, 0);
+    const glm::vec3 eye(0, 3, 6.2f);
     const auto ray = [](int x, int y) {  // 4 x 4 a pixel, as the filter has 16 rotations
         const float u = (float(x) + 0.5f) / 1024 - 1, v = 1 - (float(y) + 0.5f) / 1024;
         return glm::vec3(u * 0.5f, v * 0.45f - 0.48f, v * -0.2f - 1);
     };
-    const glm::mat4 to_texels = umbrage::texture_matrix(light, map_size);
-    const glm::vec2 slope = umbrage::plane_slope(umbrage::plane_matrix(to_texels), up, {0, 0, 0});
-    umbrage::image<float> column(size), row(size), depth(size), slope_x(size, slope.x), slope_y(size, slope.y);
+    umbrage::image<glm::vec3> points(size), normals(size, glm::vec3(0, 1, 0));
     for (glm::ivec2 p{0, 0}; p.y < size.y; ++p.y)
         for (p.x = 0; p.x < size.x; ++p.x) {
-            const glm::vec3 way = ray(p.x, p.y), floor = eye - way * (eye.y / way.y);
-            const glm::vec3 at = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, floor));
-            column[p] = at.x, row[p] = at.y, depth[p] = at.z - 0x1p-20f;
+            const glm::vec3 way = ray(p.x, p.y);
+            points[p] = eye - way * (eye.y / way.y);  // on the floor
         }
     umbrage::image<float> visibility(size), picture(size / 4);
-    umbrage::visibility(map, sun.encoding(), umbrage::sloped_receivers{{column, row, depth}, slope_x, slope_y}, filter,
-                        visibility);
+    sun.visibility(map, points, normals, visibility);
 
     int dark = 0;
     glm::vec2 floor_at(0), soft_at(0);  // at the boards' feet, and two units farther
