@@ -19,6 +19,7 @@ function bind(what, name, ...rest) {
     must(name === '' || /^[A-Za-z0-9]+(_[A-Za-z0-9]+)*$/.test(name),
         'name must be letters, digits and single underscores between them', name);
     check(what, map);
+    if (map.receiver_plane) map.needs = [...map.needs, snippets.apply_receiver_plane];
     return { what, suffix: name === '' ? '' : `_${name}`, map };
 }
 
@@ -40,6 +41,8 @@ function check(what, map) {
     must(map.arguments === '' || is_expression(map.arguments), 'map.arguments must be expressions on one line',
         map.arguments);
     for (const need of map.needs) must(!reads_map(need), 'map.needs must be snippets that read no map', need.name);
+    must(!map.receiver_plane || !(map.gather || compares(map)),
+        'map.receiver_plane must be false where texels are gathered or compared by the sampler', true);
     check_hooks(what, what, map);
 }
 
@@ -68,7 +71,7 @@ function is_expression(text) {
 
 const defaults = {
     texture: 'texture_2d', direction: 'forward', outside: '', gather: false, depth: '', channels: 1,
-    compare: '', origin: '', texture_size: '', parameters: '', arguments: '', texel: '', needs: [],
+    compare: '', receiver_plane: false, origin: '', texture_size: '', parameters: '', arguments: '', texel: '', needs: [],
 };
 const choices = {
     texture: ['texture_2d', 'atlas', 'array', 'cube', 'cube_faces', 'integer', 'depth', 'depth_array', 'shadow', 'shadow_array'],
@@ -174,7 +177,7 @@ function members(list) {
 const declared = parameters => members(parameters).map(p => words_of(p.replace(/\[.*|(?<!:):(?!:).*/, '')).at(-1));
 
 /** A snippet's text with what a map fills in. */
-function for_map(text, s, item, words) {
+function for_map(text, s, item, words, receiver_plane) {
     const { map } = item;
     const origin = map.texture === 'atlas' ? map.origin || 'origin' : map.origin;
     const border = is_scaled(map) ? '65536.0' : map.direction === 'forward' ? '1.0' : '0.0';
@@ -202,6 +205,8 @@ function for_map(text, s, item, words) {
         return expression;
     };
     if (map.arguments === '') ours(all_arguments);
+    const behind_map = map.receiver_plane ? `, ${receiver_plane}` : '', plane = map.receiver_plane ? ', receiver_plane' : '';
+    const depth = map.depth || 'value.x';
     const list = all => replace_words(all, word => word === 'map' ? own_map : word);
 
     const suffixed = word => {
@@ -217,12 +222,13 @@ function for_map(text, s, item, words) {
     });
     return replace_words(text, (word, comment) => {
         if (word.startsWith('umbrage_')) return suffixed(word);
-        if (word === own_map && !comment) return list(all_arguments);
+        if (word === own_map && !comment) return list(all_arguments) + plane;
         switch (word) {
-            case 'UMBRAGE_PARAMETERS': return list(parameters);
+            case 'UMBRAGE_PARAMETERS': return list(parameters) + behind_map;
             case 'UMBRAGE_BORDER': return border;
             case 'UMBRAGE_COMPARE': return of_texture(map.compare);
-            case 'UMBRAGE_DEPTH': return of_texture(map.depth || 'value.x');
+            case 'UMBRAGE_DEPTH': return of_texture(map.receiver_plane
+                ? `umbrage_apply_receiver_plane(${depth}, receiver_plane.xy, receiver_plane.zw, texel)` : depth);
             case 'UMBRAGE_ORIGIN': return origin;
             case 'UMBRAGE_TEXEL': return of_texture(map.texel === '' ? ours(texel) : texel);
             case 'UMBRAGE_LIT_TEXEL': return of_texture(ours(words.lit));
@@ -360,7 +366,8 @@ function compose(language, items) {
     for_each_part(language, items, (s, item, guard, of_map) => {
         const body = language.texts[s.id];
         if (language.preprocessor) text += `\n#ifndef ${guard}\n#define ${guard}`;
-        text += of_map ? laid_out(for_map(body, s, item, language.textures[item.map.texture])) : body;
+        text += of_map ? laid_out(for_map(body, s, item, language.textures[item.map.texture],
+            language.receiver_plane)) : body;
         if (language.preprocessor) text += '#endif\n';
     });
     return text;
@@ -431,6 +438,7 @@ const versions = ["100", "110", "120", "130", "150", "300 es", "310 es", "320 es
 const languages = {
     glsl: {
         prelude: "\n#ifndef UMBRAGE_HIGHP\n#ifdef GL_ES\n#define UMBRAGE_HIGHP highp\n#else\n#define UMBRAGE_HIGHP\n#endif\n#endif\n#ifndef UMBRAGE_PRECISE\n#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)\n#define UMBRAGE_PRECISE precise\n#else\n#define UMBRAGE_PRECISE\n#endif\n#endif\n",
+        receiver_plane: "UMBRAGE_HIGHP vec4 receiver_plane",
         may_reorder: "GLSL below 400 and 320 es",
         preprocessor: true,
         textures: {
@@ -3973,6 +3981,7 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     },
     hlsl: {
         prelude: "",
+        receiver_plane: "float4 receiver_plane",
         may_reorder: "",
         preprocessor: true,
         textures: {
@@ -7344,6 +7353,7 @@ float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     },
     msl: {
         prelude: "\n#include <metal_stdlib>\n#pragma METAL fp math_mode(safe)\n#pragma METAL fp contract(off)\n",
+        receiver_plane: "float4 receiver_plane",
         may_reorder: "",
         preprocessor: true,
         textures: {
@@ -10732,6 +10742,7 @@ inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     },
     wgsl: {
         prelude: "",
+        receiver_plane: "receiver_plane: vec4f",
         may_reorder: "WGSL",
         preprocessor: false,
         textures: {

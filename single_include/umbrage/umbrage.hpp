@@ -2431,9 +2431,7 @@ inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &re
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
 //     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
-// In a shader with both as globals, ahead of the filter's text, which is bound to
-//
-//     {.depth = "umbrage_apply_receiver_plane(value.x, slope, coord, texel)", .needs = {apply_receiver_plane}}
+// In a shader bind the filter with {.receiver_plane = true}: behind the map it takes vec4(slope, coord) then.
 //
 
 namespace umbrage {
@@ -20182,7 +20180,10 @@ struct binding {
     int channels = 1;       ///< how many of `value` it reads
     std::string compare{};  ///< of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Empty:
                             ///< by direction. With one's own no receiver is beyond the far plane
-    std::string origin{};   ///< vec2: the map's first texel in the texture; empty: (0, 0)
+    bool receiver_plane = false;   ///< moves each depth along the receiver's plane (apply_receiver_plane): functions
+                                   ///< take a vec4 behind the map, the plane's slope and the receiver's coordinate.
+                                   ///< Not where texels are gathered or compared by the sampler
+    std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
     std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
     std::string parameters{};      ///< in place of the kind's: what stands for the map in declarations,
     std::string arguments{};       ///< in calls,
@@ -21031,6 +21032,9 @@ void check(const snippet& what, std::string_view name, const binding& map) {
     expression(map.arguments, "map.arguments", "expressions on one line");
     for (const snippet& need : map.needs)
         umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
+    umbrage::detail::require(!map.receiver_plane || !(map.gather || compares(map.texture)), "glsl::bind",
+                             "map.receiver_plane", "false where texels are gathered or compared by the sampler",
+                             map.receiver_plane);
     check_hooks(what, what, map);
 }
 
@@ -21080,7 +21084,9 @@ struct bound {
     bound(const snippet& s) : what(s) {}
     template <class = umbrage::detail::on_use>
     bound(const snippet& s, std::string_view name, binding b)
-        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)) {}
+        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)) {
+        if (map.receiver_plane) map.needs.push_back(apply_receiver_plane);
+    }
 };
 
 /// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
@@ -21178,9 +21184,11 @@ template <class = umbrage::detail::on_use>
 }
 
 /// A snippet's text with what a map fills in.
+/// @param receiver_plane   what declares it behind the map
 /// @throws std::invalid_argument   own parameters that leave out what is read, or take a name that the text has
 template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words) {
+[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words,
+                                  std::string_view receiver_plane = {}) {
     const binding& map = item.map;
     const auto one_of = [](const std::string& own, std::string_view ordinary) {
         return own.empty() ? std::string(ordinary) : own;
@@ -21221,6 +21229,9 @@ template <class = umbrage::detail::on_use>
         return expression;
     };
     if (map.arguments.empty()) ours(arguments);
+    const bool passes_plane = !receiver_plane.empty() || contains(words_of(text), "receiver_plane");
+    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_plane" : "";
+    const std::string depth = one_of(map.depth, "value.x");
     const auto list = [&](const std::string& all) {
         return replace_words(all,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
@@ -21245,11 +21256,17 @@ template <class = umbrage::detail::on_use>
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == own_map && !comment) return list(arguments);
-        if (word == "UMBRAGE_PARAMETERS") return list(not_declared_in(text, parameters));
+        if (word == own_map && !comment) return list(arguments) + plane;
+        if (word == "UMBRAGE_PARAMETERS") {
+            const std::string_view comma = receiver_plane.empty() ? "" : ", ";
+            return list(not_declared_in(text, parameters)).append(comma).append(receiver_plane);
+        }
         if (word == "UMBRAGE_BORDER") return border;
         if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
-        if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
+        if (word == "UMBRAGE_DEPTH")
+            return of_texture(map.receiver_plane ? "umbrage_apply_receiver_plane(" + depth +
+                                                       ", receiver_plane.xy, receiver_plane.zw, texel)"
+                                                 : depth);
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(ours(words.lit));
@@ -21276,6 +21293,7 @@ struct language {
     std::string_view prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
+    std::string_view receiver_plane;             ///< declares the parameter of that name, a vector of four
     std::string_view may_reorder{};              ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     std::string_view function = "glsl::text";    ///< that a user calls
@@ -21301,7 +21319,8 @@ public:
             const bool of_map = is_of_map(s);
             const std::string body = language_.translate(s);
             if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-            text_ += of_map ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
+            text_ += of_map ? laid_out(for_map(body, s, item, language_.texture(item.map.texture), plane_of(s, item)))
+                            : body;
             if (language_.preprocessor) text_ += "#endif\n";
         });
         for (const bound& item : items_)
@@ -21365,6 +21384,13 @@ private:
         }
         use(s, item, guard);
         done_.push_back({std::string(s.name), suffix, std::move(guard)});
+    }
+
+    /// What declares the receiver's plane behind the map; nothing in own texts, which make it.
+    [[nodiscard]] std::string_view plane_of(const snippet& s, const bound& item) const {
+        bool given = item.map.receiver_plane;
+        for (const own_text& own : item.texts) given = given && own.name != s.name;
+        return given ? language_.receiver_plane : std::string_view();
     }
 
     /// A shadow's block, map and function, behind all that it calls.
@@ -21548,6 +21574,7 @@ template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
+                                        .receiver_plane = "UMBRAGE_HIGHP vec4 receiver_plane",
                                         .may_reorder = "GLSL below 400 and 320 es"};
 
 [[nodiscard]] constexpr bool is_es(version v) {
@@ -22156,6 +22183,7 @@ inline constexpr glsl::detail::language language{
         [](const glsl::snippet& s) {
             return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
         },
+    .receiver_plane = "float4 receiver_plane",
     .function = "hlsl::text",
     .declare = glsl::detail::hlsl_interface};
 
@@ -22300,6 +22328,7 @@ inline constexpr glsl::detail::language language{
         [](const glsl::snippet& s) {
             return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
         },
+    .receiver_plane = "float4 receiver_plane",
     .function = "msl::text",
     .declare = glsl::detail::msl_interface};
 
@@ -23783,6 +23812,7 @@ template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{.prelude = "",
                                                  .texture = textures,
                                                  .translate = translate<Use>,
+                                                 .receiver_plane = "receiver_plane: vec4f",
                                                  .may_reorder = "WGSL",
                                                  .preprocessor = false,
                                                  .function = "wgsl::text",
@@ -24098,6 +24128,175 @@ struct set_up_for<point_light<T>> {
 
 }  // namespace umbrage
 
+// ---- umbrage/shadow/look.hpp
+// How a filter looks at one map of a shadow: what bias its receivers take, what it calls, in C++ and in GLSL.
+//
+// Percentage-closer filters (PCF) take the smallest bias for their reach. Contact hardening (PCSS, DPCF) compares along
+// the receiver's own plane, as its radius differs from receiver to receiver. Prefiltered maps (VSM, ESM, EVSM, MSM) are
+// looked up in texels of their own.
+
+namespace umbrage {
+
+/// Texels of a prefiltered map, in an encoding's place.
+template <prefilter Prefilter>
+struct moments {
+    using texel = typename Prefilter::texel;
+
+    depth_direction direction = depth_direction::forward;
+    [[nodiscard]] constexpr decoding_error error() const { return {}; }
+};
+
+namespace detail {
+
+/// Filters that ask for a coordinate, a receiver and perhaps a pixel, no more.
+template <class Filter>
+concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f);
+} && !requires(const Filter& f) { f.offsets; }
+&&!requires(const Filter& f) { f.epsilon; };
+
+/// Those whose radius differs from receiver to receiver: no bias for all would be small.
+template <class Filter>
+concept contact_hardening = point_filter<Filter> && requires(const Filter& f) {
+    f.softness;
+};
+
+/// Those that read a disc of one radius, whose bias is another.
+template <class Filter>
+concept disc_filter = point_filter<Filter> && !contact_hardening<Filter> && requires(const Filter& f) {
+    f.farthest_point();
+};
+
+/// Those that turn from pixel to pixel.
+template <class Filter>
+concept turning = point_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f, glm::ivec2());
+};
+
+template <class Filter>
+struct encoding_for {
+    using type = depth32f;
+};
+template <prefilter Prefilter>
+struct encoding_for<Prefilter> {
+    using type = moments<Prefilter>;
+};
+
+}  // namespace detail
+
+/// Filters that a shadow takes.
+template <class Filter>
+concept shadow_filter = detail::point_filter<Filter> || prefilter<Filter>;
+
+/// Encodings that a shadow takes: those of depths, or a prefilter's own moments.
+template <class Encoding, class Filter>
+concept shadow_encoding = (!prefilter<Filter> && known_encoding<Encoding>) ||
+                          (prefilter<Filter> && std::same_as<Encoding, typename detail::encoding_for<Filter>::type>);
+
+namespace detail {
+
+/// From a receiver to the farthest texel that counts, along an axis.
+[[nodiscard]] constexpr float reach_of(const auto& filter) {
+    if constexpr (requires { filter.reach(); }) return filter.reach();
+    else return 1.0f;  // of the four texels around it
+}
+
+/// The filter's numbers, as a block holds them.
+/// @param more   what rasterizer and rounding add to a reach
+[[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter, float more) {
+    if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
+    else if constexpr (requires { filter.radius_texels; })
+        return {filter.radius_texels, filter.farthest_point() + more, 0.0f, 0.0f};
+    else if constexpr (requires { filter.radius; }) return {static_cast<float>(filter.radius), 0.0f, 0.0f, 0.0f};
+    else if constexpr (requires { filter.settings; }) return {filter.settings.exponent, 0.0f, 0.0f, 0.0f};
+    else if constexpr (requires { filter.parameters; })
+        return glm::vec4(filter.parameters.exponents, filter.parameters.deviations);
+    else if constexpr (requires { filter.bias; }) return glm::vec4(filter.bias, 0.0f, 0.0f);
+    else if constexpr (requires { filter.min_variance; }) return {filter.min_variance, 0.0f, 0.0f, 0.0f};
+    else return glm::vec4(0.0f);
+}
+
+/// Bias of a receiver.
+template <class Filter>
+[[nodiscard]] float bias_of(const shadow_terms& terms, glm::vec2 slope) {
+    if constexpr (contact_hardening<Filter>) return acne_free_bias(slope, 0.5f, terms.error);
+    else if constexpr (disc_filter<Filter>) return acne_free_disc_bias(slope, terms.filter_terms.y, terms.error);
+    else return acne_free_bias(slope, terms.reach, terms.error);
+}
+
+/// The filter on one map.
+/// @param own        the map alone
+/// @param receiver   (x, y) in its texels, depth, biased
+template <outside_map Outside, class Filter, class Encoding>
+[[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
+                         glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
+    const glm::vec2 coord(receiver);
+    const auto on = [&](const auto& map) {
+        if constexpr (prefilter<Filter>) {
+            const auto decode = [&](const auto& texel) { return filter.decode(texel, receiver.z); };
+            return look_up(map, coord, receiver.z, cleared_depth(encoding.direction), decode);
+        } else if constexpr (contact_hardening<Filter>) {
+            const auto along = apply_receiver_plane(decoded(map, encoding), slope, coord, encoding.direction);
+            return filtered(filter, along, coord, receiver.z, pixel);
+        } else return filtered(filter, decoded(map, encoding), coord, receiver.z, pixel);
+    };
+    if constexpr (Outside == outside_map::clamped) return on(clamped(own));
+    else return on(bordered_texels<typename Encoding::texel>{own});
+}
+
+/// terms_of in GLSL: what the filter's function takes behind coordinate and receiver.
+template <class Filter>
+[[nodiscard]] std::string arguments_of() {
+    constexpr std::string_view x = ", filter_terms.x", xy = ", vec2(filter_terms.x, filter_terms.y)",
+                               zw = ", vec2(filter_terms.z, filter_terms.w)";
+    std::string all;
+    if constexpr (requires(const Filter& f) { f.softness; })
+        all = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
+    else if constexpr (requires(const Filter& f) { f.radius_texels; }) all = x;
+    else if constexpr (requires(const Filter& f) { f.radius; }) all = ", int(filter_terms.x)";
+    else if constexpr (requires(const Filter& f) { f.settings; }) all = x;
+    else if constexpr (requires(const Filter& f) { f.parameters; }) {
+        if constexpr (Filter::texel::length() == 4) all = std::string(xy).append(zw);
+        else all = std::string(x).append(", filter_terms.z");
+    } else if constexpr (requires(const Filter& f) { f.bias; }) all = xy;
+    else if constexpr (requires(const Filter& f) { f.min_variance; }) all = x;
+    return turning<Filter> ? all + ", umbrage_disc_rotation(pixel)" : all;
+}
+
+/// bias_of and look in GLSL: umbrage_look, for a filter's map alone.
+/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters that turn
+template <class Filter>
+[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
+    const glsl::snippet& bias = disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+    const std::string_view reach = contact_hardening<Filter> ? "0.5"
+                                   : disc_filter<Filter>     ? "filter_terms.y"
+                                                             : "terms.z";
+    std::string text =
+        "\n// umbrage_look: visibility of a receiver in one map\n"
+        "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
+    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope").append(pixel).append(") {\n");
+    if (contact_hardening<Filter>)
+        text += "    UMBRAGE_HIGHP vec4 receiver_plane = vec4(slope.x, slope.y, at.x, at.y);\n";
+    text.append("    UMBRAGE_HIGHP float bias = umbrage_").append(bias.name).append("(slope, ").append(reach);
+    text.append(", terms.w);\n    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
+    text.append(filter.snippet->name).append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver");
+    text.append(arguments_of<Filter>()).append(");\n}\n");
+    glsl::own_text look{"look", std::move(text), {&bias, &glsl::biased, filter.snippet}};
+    if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
+    return look;
+}
+
+/// The filter's map in a shader.
+template <class Filter, class Encoding>
+[[nodiscard]] glsl::binding binding_of(const Encoding& encoding) {
+    glsl::binding map{.direction = encoding.direction, .receiver_plane = contact_hardening<Filter>};
+    if constexpr (prefilter<Filter>) return map;
+    else return glsl::stored_as(encoding, std::move(map));
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
 // ---- umbrage/shadow/single_map.hpp
 // One map: of a spot light, or of a directional light, fitted or warped as may be.
 //
@@ -24180,32 +24379,8 @@ struct shadow_uniforms {
     shadow_terms terms;
 };
 
-namespace detail {
-
-/// A filter's numbers, as a block holds them.
-[[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter) {
-    if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
-    else if constexpr (requires { filter.radius_texels; }) return {filter.radius_texels, 0.0f, 0.0f, 0.0f};
-    else if constexpr (requires { filter.radius; }) return {static_cast<float>(filter.radius), 0.0f, 0.0f, 0.0f};
-    else return glm::vec4(0.0f);
-}
-
-/// Whether a filter reads a disc's points, whose bias is another.
-template <class Filter>
-inline constexpr bool reads_disc = requires(const Filter& f) {
-    f.farthest_point();
-};
-
-/// Filters whose coordinate and receiver are all that they ask of a point.
-template <class Filter>
-concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
-    f(fetch, glm::vec2(), 0.0f);
-} && !requires(const Filter& f) { f.offsets; }
-&&!requires(const Filter& f) { f.epsilon; };
-
-}  // namespace detail
-
-template <shadow_set_up SetUp, detail::point_filter Filter, known_encoding Encoding = depth32f>
+template <shadow_set_up SetUp, shadow_filter Filter,
+          shadow_encoding<Filter> Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
 public:
     using texel = typename Encoding::texel;
@@ -24214,8 +24389,8 @@ public:
 
     /// @param light      a light_space, an array of cascades, a point_light, or a set-up of your own
     /// @param map_size   of one map, texels, each >= 1
-    /// @param filter     one of filters::; the direction of depth is the light's
-    /// @param encoding   how the map's texels hold depth; its direction is the light's
+    /// @param filter     one of filters:: or prefilters::; the direction of depth is the light's
+    /// @param encoding   how the map's texels hold depth; its direction is the light's. A prefilter's map holds moments
     /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or less than twice the
     ///                                filter's reach; what the set-up complains of
     template <class Light>
@@ -24223,10 +24398,13 @@ public:
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
         detail::require_given(set_up_.clip(), "shadow", "light.clip");
         detail::require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
-        filter_.is_lit.direction = encoding_.direction = set_up_.clip().direction;
-        detail::require(2.0f * filter_.reach() <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "shadow",
+        encoding_.direction = set_up_.clip().direction;
+        if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
+        else filter_.is_lit.direction = encoding_.direction;
+        const float reach = detail::reach_of(filter_);
+        detail::require(2.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "shadow",
                         "map_size", "twice the filter's reach or more", map_size,
-                        "The filter reaches " + detail::printed(filter_.reach()) + " texels to each side.");
+                        "The filter reaches " + detail::printed(reach) + " texels to each side.");
         uniforms_ = uniforms();
     }
 
@@ -24239,7 +24417,10 @@ public:
     /// Of one map; a texture array has this size.
     [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
     /// What an empty map holds: the far plane.
-    [[nodiscard]] texel cleared() const { return encoding_.cleared(); }
+    [[nodiscard]] texel cleared() const {
+        if constexpr (prefilter<Filter>) return filter_.encode(cleared_depth(encoding_.direction));
+        else return encoding_.cleared();
+    }
 
     /// Draws a mesh into the maps' depths, each map's own view of it, nearer depths winning.
     /// @param depths   of size(), cleared to cleared_depth of the light's clip space, or drawn into before
@@ -24254,6 +24435,15 @@ public:
                             parallel);
     }
 
+    /// Makes the map's texels of drawn depths; blur a prefilter's afterwards (blur.hpp), map by map.
+    /// @throws std::invalid_argument  one of them of another size
+    template <class ParallelFor = serial>
+    void store(image_view<const float> depths, image_view<texel> map, ParallelFor&& parallel = {}) const {
+        detail::require_size(map.size, size(), "shadow::store", "map.size", "the shadow's size()");
+        if constexpr (prefilter<Filter>) encode_moments(depths, map, filter_, parallel);
+        else encode(depths, map, encoding_, parallel);
+    }
+
     /// A receiver's visibility.
     /// @param map      of size(), texels of the encoding, drawn for this light
     /// @param world    the receiver; NaN is lit
@@ -24266,8 +24456,10 @@ public:
     [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
                                    glm::ivec2 pixel = {}) const {
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
-        return SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal,
-                                 [&](const map_place& place) { return look(map, place, pixel); });
+        return SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal, [&](const map_place& place) {
+            const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
+            return detail::look<SetUp::outside>(own, filter_, encoding_, receiver(place), place.slope, pixel);
+        });
     }
 
     /// Visibility of an image of receivers.
@@ -24283,32 +24475,21 @@ public:
     /// @param frame   points that the shader is given are relative to its origin; far from the world's origin give the
     ///                camera's place, and the light in double
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
-        float reach = filter_.reach();
-        if constexpr (detail::reads_disc<Filter>) reach = filter_.farthest_point();
-        const float rounding = 0x1p-24f * static_cast<float>(detail::greater(map_size_.x, map_size_.y));
+        const float size = static_cast<float>(detail::greater(map_size_.x, map_size_.y));
+        const float more = rasterizer_snap<float> + 0x1p-24f * size;  // of the rasterizer, and a coordinate's rounding
         const decoding_error both = encoding_.error();
-        const double error = set_up_.clip().direction == depth_direction::forward ? both.below : both.above;
+        const double error = encoding_.direction == depth_direction::forward ? both.below : both.above;
         return {set_up_.make_uniforms(map_size_, frame.origin),
-                {glm::vec2(map_size_), reach + rasterizer_snap<float> + rounding, static_cast<float>(error) + 0x1p-22f,
-                 detail::terms_of(filter_)}};
+                {glm::vec2(map_size_), detail::reach_of(filter_) + more, static_cast<float>(error) + 0x1p-22f,
+                 detail::terms_of(filter_, more)}};
     }
 
 private:
     /// A place's coordinate, and its depth biased.
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
-        const shadow_terms& terms = uniforms_.terms;
-        float bias = 0.0f;
-        if constexpr (detail::reads_disc<Filter>) bias = acne_free_disc_bias(place.slope, terms.reach, terms.error);
-        else bias = acne_free_bias(place.slope, terms.reach, terms.error);
-        return {place.at.x, place.at.y, biased(place.at.z, bias, filter_.is_lit)};
-    }
-    /// umbrage_look of in_shader.hpp.
-    [[nodiscard]] float look(image_view<const texel> map, const map_place& place, glm::ivec2 pixel) const {
-        const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
-        const glm::vec3 r = receiver(place);
-        if constexpr (SetUp::outside == outside_map::bordered)
-            return detail::filtered(filter_, decoded(bordered(own), encoding_), glm::vec2(r), r.z, pixel);
-        else return detail::filtered(filter_, decoded(clamped(own), encoding_), glm::vec2(r), r.z, pixel);
+        const comparison is_lit{encoding_.direction};
+        const float bias = detail::bias_of<Filter>(uniforms_.terms, place.slope);
+        return {place.at.x, place.at.y, biased(place.at.z, bias, is_lit)};
     }
 
     SetUp set_up_;
@@ -24318,11 +24499,11 @@ private:
     uniforms_type uniforms_{};
 };
 
-template <class Light, class Filter, class Encoding = depth32f>
+template <class Light, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {})
     -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
 
-template <shadow_set_up SetUp, detail::point_filter Filter, known_encoding Encoding>
+template <shadow_set_up SetUp, shadow_filter Filter, shadow_encoding<Filter> Encoding>
 template <class ParallelFor>
 void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                                                  image_view<const glm::vec3> normals, image_view<float> out,
@@ -24333,13 +24514,27 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     if constexpr (requires { SetUp::place(uniforms_.maps, glm::vec3(), glm::vec3()); }) {
         // one look-up a receiver: where each lies first, then all of them through the filter's fast form
-        image<glm::vec3> receivers(points.size);
-        parallel(out.size.y, [&](int first, int last) {
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < out.size.x; ++x)
-                    receivers[{x, y}] = receiver(SetUp::place(uniforms_.maps, points[{x, y}], normals[{x, y}]));
-        });
-        umbrage::visibility(map, encoding_, receivers, filter_, out, parallel, SetUp::outside);
+        const auto for_each_place = [&](const auto& use) {
+            parallel(out.size.y, [&](int first, int last) {
+                for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
+                    for (p.x = 0; p.x < out.size.x; ++p.x) use(p, SetUp::place(uniforms_.maps, points[p], normals[p]));
+            });
+        };
+        if constexpr (detail::contact_hardening<Filter>) {
+            image<float> x(points.size), y(points.size), depth(points.size), slope_x(points.size), slope_y(points.size);
+            for_each_place([&](glm::ivec2 p, const map_place& place) {
+                const glm::vec3 r = receiver(place);
+                x[p] = r.x, y[p] = r.y, depth[p] = r.z, slope_x[p] = place.slope.x, slope_y[p] = place.slope.y;
+            });
+            umbrage::visibility(map, encoding_, sloped_receivers{{x, y, depth}, slope_x, slope_y}, filter_, out,
+                                parallel, SetUp::outside);
+        } else {
+            image<glm::vec3> receivers(points.size);
+            for_each_place([&](glm::ivec2 p, const map_place& place) { receivers[p] = receiver(place); });
+            if constexpr (prefilter<Filter>)
+                umbrage::visibility(map, filter_, receivers, out, parallel, SetUp::outside);
+            else umbrage::visibility(map, encoding_, receivers, filter_, out, parallel, SetUp::outside);
+        }
     } else {
         parallel(out.size.y, [&](int first, int last) {
             for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
@@ -24371,48 +24566,18 @@ struct shadow_slots {
 
 namespace detail {
 
-/// Whether a filter turns from pixel to pixel.
-template <class Filter>
-inline constexpr bool turns = requires(const Filter& f, const umbrage::detail::any_fetch& fetch) {
-    f(fetch, glm::vec2(), 0.0f, glm::ivec2());
-};
-
-/// What a filter's function takes behind the receiver.
-template <class Filter>
-[[nodiscard]] std::string arguments_of() {
-    std::string more;
-    if constexpr (requires(const Filter& f) { f.softness; })
-        more = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
-    else if constexpr (requires(const Filter& f) { f.radius_texels; }) more = ", filter_terms.x";
-    else if constexpr (requires(const Filter& f) { f.radius; }) more = ", int(filter_terms.x)";
-    return more + (turns<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
-}
-
 /// umbrage_look and umbrage_shadow, of one shadow's map alone.
 template <class SetUp, class Filter>
 [[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const map_choice& choice) {
-    const snippet& bias = umbrage::detail::reads_disc<Filter> ? acne_free_disc_bias : acne_free_bias;
+    constexpr bool turns = umbrage::detail::turning<Filter>;
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-    const std::string pixel = turns<Filter> ? ", UMBRAGE_HIGHP vec2 pixel" : "";
-    own_text look{"look",
-                  "\n// umbrage_look: visibility of a receiver in one map\n"
-                  "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, " +
-                      terms + "UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope" + pixel +
-                      ") {\n"
-                      "    UMBRAGE_HIGHP float bias = umbrage_" +
-                      std::string(bias.name) +
-                      "(slope, terms.z, terms.w);\n"
-                      "    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n"
-                      "    return umbrage_" +
-                      std::string(filter.snippet->name) + "(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver" +
-                      arguments_of<Filter>() + ");\n}\n"};
-    look.needs = {&bias, &biased, filter.snippet};
-    if (turns<Filter>) look.needs.push_back(&disc_rotation);
+    const std::string pixel = turns ? ", UMBRAGE_HIGHP vec2 pixel" : "";
+    own_text look = umbrage::detail::look_text(filter, terms, pixel);
 
     std::string parameters, body = SetUp::text(choice);
     for (const uniform_field& f : SetUp::fields)
         parameters += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
-    if (turns<Filter>)
+    if (turns)
         for (auto i = body.find("umbrage_look("); i != body.npos; i = body.find("umbrage_look(", i)) {
             i = body.find(";\n", i) - 1;
             body.insert(i, ", pixel");
@@ -24445,7 +24610,7 @@ template <class SetUp, class Filter, class Encoding>
                                      : "texture_2d, depth or shadow, as the shadow has one map",
                              static_cast<int>(kind));
     umbrage::detail::require(!name.empty(), "glsl::bind", "name", "given", name);
-    binding map = stored_as(of.encoding());
+    binding map = umbrage::detail::binding_of<Filter>(of.encoding());
     map.texture = kind;
     map.outside = SetUp::outside;
     if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
@@ -24454,8 +24619,10 @@ template <class SetUp, class Filter, class Encoding>
     item.texts = detail::shadow_texts<SetUp>(of.filter(), layers ? map_choice{} : SetUp::tiles);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
-    shader_interface declared{
-        std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, detail::turns<Filter>};
+    shader_interface declared{std::string(name),
+                              {},
+                              {slots.block, slots.texture, slots.sampler, slots.set},
+                              umbrage::detail::turning<Filter>};
     for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);

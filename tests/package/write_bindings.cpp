@@ -53,6 +53,8 @@ std::vector<binding> maps(std::string_view language) {
                     }
     all.push_back({.compare = (language == "wgsl" ? "f32" : "float") + std::string("(receiver < stored)")});
     all.push_back({.depth = "value.x + texel.x"});
+    for (const named_texture& t : textures) all.push_back({.texture = t.kind, .receiver_plane = true});
+    all.push_back(glsl::stored_as(umbrage::rg<11>{}, {.receiver_plane = true}));
     return all;
 }
 

@@ -28,6 +28,7 @@ std::string json(const glsl::binding& map) {
     add("depth", literal(map.depth));
     add("channels", std::to_string(map.channels));
     add("compare", literal(map.compare));
+    add("receiver_plane", map.receiver_plane ? "true" : "false");
     add("origin", literal(map.origin));
     add("texture_size", literal(map.texture_size));
     add("parameters", literal(map.parameters));
@@ -81,6 +82,11 @@ std::vector<glsl::binding> maps() {
                 all.push_back({.texture = t.kind, .gather = gather, .depth = "f(value)", .channels = channels});
     all.push_back({.texture = glsl::texture::shadow, .depth = "value.x"});
     all.push_back({.needs = {glsl::hard}});
+    for (const named_texture& t : textures)
+        for (const bool gather : {false, true})
+            all.push_back({.texture = t.kind, .gather = gather, .receiver_plane = true});
+    all.push_back(
+        glsl::stored_as(umbrage::rg<11>{.direction = umbrage::depth_direction::reversed}, {.receiver_plane = true}));
     return all;
 }
 

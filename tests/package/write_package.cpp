@@ -105,6 +105,7 @@ std::string languages_of_module() {
     for (const shader_language& l : languages) {
         out += "    " + std::string(l.name) + ": {\n";
         out += "        prelude: " + literal(l.words->prelude) + ",\n";
+        out += "        receiver_plane: " + literal(l.words->receiver_plane) + ",\n";
         out += "        may_reorder: " + literal(l.words->may_reorder) + ",\n";
         out += std::string("        preprocessor: ") + (l.words->preprocessor ? "true" : "false") + ",\n";
         out += "        textures: {\n";

@@ -25,6 +25,7 @@ struct language {
     std::string_view prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
+    std::string_view receiver_plane;             ///< declares the parameter of that name, a vector of four
     std::string_view may_reorder{};              ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     std::string_view function = "glsl::text";    ///< that a user calls
@@ -48,12 +49,10 @@ public:
     [[nodiscard]] std::string text() && {
         for_each([&](const snippet& s, const bound& item, const std::string& guard) {
             const bool of_map = is_of_map(s);
-            const std::string source = with_receiver_plane(s, item);
-            snippet own = s;
-            own.source = source.c_str();
-            const std::string body = language_.translate(own);
+            const std::string body = language_.translate(s);
             if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-            text_ += of_map ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
+            text_ += of_map ? laid_out(for_map(body, s, item, language_.texture(item.map.texture), plane_of(s, item)))
+                            : body;
             if (language_.preprocessor) text_ += "#endif\n";
         });
         for (const bound& item : items_)
@@ -119,16 +118,11 @@ private:
         done_.push_back({std::string(s.name), suffix, std::move(guard)});
     }
 
-    /// A function's text with the receiver's plane as a parameter behind the map. Own texts make the plane themselves.
-    [[nodiscard]] static std::string with_receiver_plane(const snippet& s, const bound& item) {
-        std::string source(s.source.str());
-        if (!item.map.receiver_plane) return source;
-        for (const own_text& own : item.texts)
-            if (own.name == s.name) return source;
-        const std::string map = "UMBRAGE_MAP " + name_of_map(source);
-        for (auto at = source.find(map); at != source.npos; at = source.find(map, at + 1))
-            source.insert(at + map.size(), ", UMBRAGE_HIGHP vec4 receiver_plane");
-        return source;
+    /// What declares the receiver's plane behind the map; nothing in own texts, which make it.
+    [[nodiscard]] std::string_view plane_of(const snippet& s, const bound& item) const {
+        bool given = item.map.receiver_plane;
+        for (const own_text& own : item.texts) given = given && own.name != s.name;
+        return given ? language_.receiver_plane : std::string_view();
     }
 
     /// A shadow's block, map and function, behind all that it calls.

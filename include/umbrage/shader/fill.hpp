@@ -95,9 +95,11 @@ template <class = umbrage::detail::on_use>
 }
 
 /// A snippet's text with what a map fills in.
+/// @param receiver_plane   what declares it behind the map
 /// @throws std::invalid_argument   own parameters that leave out what is read, or take a name that the text has
 template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words) {
+[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words,
+                                  std::string_view receiver_plane = {}) {
     const binding& map = item.map;
     const auto one_of = [](const std::string& own, std::string_view ordinary) {
         return own.empty() ? std::string(ordinary) : own;
@@ -138,7 +140,8 @@ template <class = umbrage::detail::on_use>
         return expression;
     };
     if (map.arguments.empty()) ours(arguments);
-    const bool has_plane = map.receiver_plane && contains(words_of(text), "receiver_plane");
+    const bool passes_plane = !receiver_plane.empty() || contains(words_of(text), "receiver_plane");
+    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_plane" : "";
     const std::string depth = one_of(map.depth, "value.x");
     const auto list = [&](const std::string& all) {
         return replace_words(all,
@@ -164,8 +167,11 @@ template <class = umbrage::detail::on_use>
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == own_map && !comment) return list(arguments) + (has_plane ? ", receiver_plane" : "");
-        if (word == "UMBRAGE_PARAMETERS") return list(not_declared_in(text, parameters));
+        if (word == own_map && !comment) return list(arguments) + plane;
+        if (word == "UMBRAGE_PARAMETERS") {
+            const std::string_view comma = receiver_plane.empty() ? "" : ", ";
+            return list(not_declared_in(text, parameters)).append(comma).append(receiver_plane);
+        }
         if (word == "UMBRAGE_BORDER") return border;
         if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
         if (word == "UMBRAGE_DEPTH")

@@ -115,6 +115,7 @@ template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
+                                        .receiver_plane = "UMBRAGE_HIGHP vec4 receiver_plane",
                                         .may_reorder = "GLSL below 400 and 320 es"};
 
 [[nodiscard]] constexpr bool is_es(version v) {

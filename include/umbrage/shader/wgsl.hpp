@@ -122,6 +122,7 @@ template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{.prelude = "",
                                                  .texture = textures,
                                                  .translate = translate<Use>,
+                                                 .receiver_plane = "receiver_plane: vec4f",
                                                  .may_reorder = "WGSL",
                                                  .preprocessor = false,
                                                  .function = "wgsl::text",
