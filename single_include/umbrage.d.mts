@@ -172,12 +172,16 @@ export const dual_paraboloid_coordinate: Snippet;
 export const dual_paraboloid_position: Snippet;
 /** face of a tetrahedron that a direction meets */
 export const tetrahedron_face: Snippet;
+/** a direction in the axes of a tetrahedron's face */
+export const tetrahedron_face_point: Snippet;
 /** a direction in its tetrahedron face's axes */
 export const tetrahedron_plane: Snippet;
 /** distance along the normal of the tetrahedron's face that a direction meets */
 export const tetrahedron_view_z: Snippet;
 /** face of a tetrahedron, and where on it, that a direction meets */
 export const tetrahedron_coordinate: Snippet;
+/** a vector of a tetrahedron's first face on another face's side of the map */
+export const tetrahedron_turned: Snippet;
 /** a point of a tetrahedron's face in the map */
 export const tetrahedron_texel: Snippet;
 /** face of a tetrahedron that a texel belongs to */
@@ -608,6 +612,8 @@ export const receiver_slope: Snippet;
 export const cascade_slope: Snippet;
 /** bias by the greater slope, as rasterizers have it */
 export const slope_bias: Snippet;
+/** change of distance from texel to texel of a paraboloid's map */
+export const dual_paraboloid_slope: Snippet;
 /** way off a surface to the point that is looked up in its place */
 export const normal_offset: Snippet;
 /** bias by the kernel's width and the angle at which light falls */

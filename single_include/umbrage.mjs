@@ -749,14 +749,18 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
     return beside >= up ? z : x;
 }
 `,
-            "tetrahedron_plane": `
-// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
-UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(direction);
-    UMBRAGE_HIGHP vec3 d = direction;
+            "tetrahedron_face_point": `
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 d) {
     UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
     UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
     return face < 1.5 ? z : x;
+}
+`,
+            "tetrahedron_plane": `
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }
 `,
             "tetrahedron_view_z": `
@@ -775,6 +779,14 @@ UMBRAGE_HIGHP vec3 umbrage_tetrahedron_coordinate(UMBRAGE_HIGHP vec3 direction) 
     return vec3(p.x / d, p.z / d, umbrage_tetrahedron_face(direction));
 }
 `,
+            "tetrahedron_turned": `
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec2 umbrage_tetrahedron_turned(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 v) {
+    UMBRAGE_HIGHP vec2 z = face < 0.5 ? v : vec2(-v.x, -v.y);
+    UMBRAGE_HIGHP vec2 x = face < 2.5 ? vec2(-v.y, v.x) : vec2(v.y, -v.x);
+    return face < 1.5 ? z : x;
+}
+`,
             "tetrahedron_texel": `
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels
@@ -784,8 +796,7 @@ UMBRAGE_HIGHP vec2 umbrage_tetrahedron_texel(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGH
     UMBRAGE_HIGHP float scale = half_size - border * 3.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = at.x * scale;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = at.y * scale + (border - half_size);
-    UMBRAGE_HIGHP vec2 off = at.z < 1.5 ? vec2(x, y) : vec2(-y, x);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = umbrage_tetrahedron_turned(at.z, vec2(x, y)) + half_size;
     return texel;
 }
 `,
@@ -3596,6 +3607,23 @@ UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP f
     return x > y ? x : y;
 }
 `,
+            "dual_paraboloid_slope": `
+// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
+//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+UMBRAGE_HIGHP vec2 umbrage_dual_paraboloid_slope(UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal,
+                                                 UMBRAGE_HIGHP float per_texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = way.x * way.x + way.y * way.y + way.z * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * way.z - normal.z * way.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * way.x - normal.x * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * way.y - normal.y * way.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float across = x * x + y * y + z * z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float wide = (sqrt(square) + abs(way.z)) * (per_texel * 0.707106781);
+    UMBRAGE_HIGHP float slope = umbrage_clamp_slope(wide * sqrt(across) / abs(along));
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? vec2(0.0, 0.0) : vec2(slope, slope);
+}
+`,
             "normal_offset": `
 // umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
 //   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
@@ -4281,14 +4309,18 @@ float umbrage_tetrahedron_face(float3 direction) {
     return beside >= up ? z : x;
 }
 `,
-            "tetrahedron_plane": `
-// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
-float3 umbrage_tetrahedron_plane(float3 direction) {
-    float face = umbrage_tetrahedron_face(direction);
-    float3 d = direction;
+            "tetrahedron_face_point": `
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+float3 umbrage_tetrahedron_face_point(float face, float3 d) {
     float3 z = face < 0.5 ? float3(-d.x, d.y, d.z) : float3(d.x, d.y, -d.z);
     float3 x = face < 2.5 ? float3(-d.z, -d.y, d.x) : float3(d.z, -d.y, -d.x);
     return face < 1.5 ? z : x;
+}
+`,
+            "tetrahedron_plane": `
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+float3 umbrage_tetrahedron_plane(float3 direction) {
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }
 `,
             "tetrahedron_view_z": `
@@ -4307,6 +4339,14 @@ float3 umbrage_tetrahedron_coordinate(float3 direction) {
     return float3(p.x / d, p.z / d, umbrage_tetrahedron_face(direction));
 }
 `,
+            "tetrahedron_turned": `
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+float2 umbrage_tetrahedron_turned(float face, float2 v) {
+    float2 z = face < 0.5 ? v : float2(-v.x, -v.y);
+    float2 x = face < 2.5 ? float2(-v.y, v.x) : float2(v.y, -v.x);
+    return face < 1.5 ? z : x;
+}
+`,
             "tetrahedron_texel": `
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels
@@ -4315,8 +4355,7 @@ float2 umbrage_tetrahedron_texel(float3 at, float size, float border) {
     float scale = half_size - border * 3.0;
     precise float x = at.x * scale;
     precise float y = at.y * scale + (border - half_size);
-    float2 off = at.z < 1.5 ? float2(x, y) : float2(-y, x);
-    precise float2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    precise float2 texel = umbrage_tetrahedron_turned(at.z, float2(x, y)) + half_size;
     return texel;
 }
 `,
@@ -6996,6 +7035,22 @@ float umbrage_slope_bias(float2 slope, float factor, float base) {
     return x > y ? x : y;
 }
 `,
+            "dual_paraboloid_slope": `
+// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
+//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+float2 umbrage_dual_paraboloid_slope(float3 way, float3 normal, float per_texel) {
+    precise float square = way.x * way.x + way.y * way.y + way.z * way.z;
+    precise float x = normal.y * way.z - normal.z * way.y;
+    precise float y = normal.z * way.x - normal.x * way.z;
+    precise float z = normal.x * way.y - normal.y * way.x;
+    precise float across = x * x + y * y + z * z;
+    precise float along = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    precise float wide = (sqrt(square) + abs(way.z)) * (per_texel * 0.707106781);
+    float slope = umbrage_clamp_slope(wide * sqrt(across) / abs(along));
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? float2(0.0, 0.0) : float2(slope, slope);
+}
+`,
             "normal_offset": `
 // umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
 //   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
@@ -7654,14 +7709,18 @@ inline float umbrage_tetrahedron_face(float3 direction) {
     return beside >= up ? z : x;
 }
 `,
-            "tetrahedron_plane": `
-// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
-inline float3 umbrage_tetrahedron_plane(float3 direction) {
-    float face = umbrage_tetrahedron_face(direction);
-    float3 d = direction;
+            "tetrahedron_face_point": `
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+inline float3 umbrage_tetrahedron_face_point(float face, float3 d) {
     float3 z = face < 0.5 ? float3(-d.x, d.y, d.z) : float3(d.x, d.y, -d.z);
     float3 x = face < 2.5 ? float3(-d.z, -d.y, d.x) : float3(d.z, -d.y, -d.x);
     return face < 1.5 ? z : x;
+}
+`,
+            "tetrahedron_plane": `
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+inline float3 umbrage_tetrahedron_plane(float3 direction) {
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }
 `,
             "tetrahedron_view_z": `
@@ -7680,6 +7739,14 @@ inline float3 umbrage_tetrahedron_coordinate(float3 direction) {
     return float3(p.x / d, p.z / d, umbrage_tetrahedron_face(direction));
 }
 `,
+            "tetrahedron_turned": `
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+inline float2 umbrage_tetrahedron_turned(float face, float2 v) {
+    float2 z = face < 0.5 ? v : float2(-v.x, -v.y);
+    float2 x = face < 2.5 ? float2(-v.y, v.x) : float2(v.y, -v.x);
+    return face < 1.5 ? z : x;
+}
+`,
             "tetrahedron_texel": `
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels
@@ -7688,8 +7755,7 @@ inline float2 umbrage_tetrahedron_texel(float3 at, float size, float border) {
     float scale = half_size - border * 3.0;
     float x = at.x * scale;
     float y = at.y * scale + (border - half_size);
-    float2 off = at.z < 1.5 ? float2(x, y) : float2(-y, x);
-    float2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    float2 texel = umbrage_tetrahedron_turned(at.z, float2(x, y)) + half_size;
     return texel;
 }
 `,
@@ -10384,6 +10450,22 @@ inline float umbrage_slope_bias(float2 slope, float factor, float base) {
     return x > y ? x : y;
 }
 `,
+            "dual_paraboloid_slope": `
+// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
+//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+inline float2 umbrage_dual_paraboloid_slope(float3 way, float3 normal, float per_texel) {
+    float square = way.x * way.x + way.y * way.y + way.z * way.z;
+    float x = normal.y * way.z - normal.z * way.y;
+    float y = normal.z * way.x - normal.x * way.z;
+    float z = normal.x * way.y - normal.y * way.x;
+    float across = x * x + y * y + z * z;
+    float along = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    float wide = (metal::sqrt(square) + metal::abs(way.z)) * (per_texel * 0.707106781);
+    float slope = umbrage_clamp_slope(wide * metal::sqrt(across) / metal::abs(along));
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? float2(0.0, 0.0) : float2(slope, slope);
+}
+`,
             "normal_offset": `
 // umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
 //   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
@@ -11041,14 +11123,18 @@ fn umbrage_tetrahedron_face(direction: vec3f) -> f32 {
     return select(x, z, beside >= up);
 }
 `,
-            "tetrahedron_plane": `
-// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
-fn umbrage_tetrahedron_plane(direction: vec3f) -> vec3f {
-    let face: f32 = umbrage_tetrahedron_face(direction);
-    let d: vec3f = direction;
+            "tetrahedron_face_point": `
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+fn umbrage_tetrahedron_face_point(face: f32, d: vec3f) -> vec3f {
     let z: vec3f = select(vec3f(d.x, d.y, -d.z), vec3f(-d.x, d.y, d.z), face < 0.5);
     let x: vec3f = select(vec3f(d.z, -d.y, -d.x), vec3f(-d.z, -d.y, d.x), face < 2.5);
     return select(x, z, face < 1.5);
+}
+`,
+            "tetrahedron_plane": `
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+fn umbrage_tetrahedron_plane(direction: vec3f) -> vec3f {
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }
 `,
             "tetrahedron_view_z": `
@@ -11067,6 +11153,14 @@ fn umbrage_tetrahedron_coordinate(direction: vec3f) -> vec3f {
     return vec3f(p.x / d, p.z / d, umbrage_tetrahedron_face(direction));
 }
 `,
+            "tetrahedron_turned": `
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+fn umbrage_tetrahedron_turned(face: f32, v: vec2f) -> vec2f {
+    let z: vec2f = select(vec2f(-v.x, -v.y), v, face < 0.5);
+    let x: vec2f = select(vec2f(v.y, -v.x), vec2f(-v.y, v.x), face < 2.5);
+    return select(x, z, face < 1.5);
+}
+`,
             "tetrahedron_texel": `
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels
@@ -11075,8 +11169,7 @@ fn umbrage_tetrahedron_texel(at: vec3f, size: f32, border: f32) -> vec2f {
     let scale: f32 = half_size - border * 3.0;
     let x: f32 = at.x * scale;
     let y: f32 = at.y * scale + (border - half_size);
-    let off: vec2f = select(vec2f(-y, x), vec2f(x, y), at.z < 1.5);
-    let texel: vec2f = half_size + select(-off, off, at.z < 0.5 || (at.z > 1.5 && at.z < 2.5));
+    let texel: vec2f = umbrage_tetrahedron_turned(at.z, vec2f(x, y)) + half_size;
     return texel;
 }
 `,
@@ -13759,6 +13852,22 @@ fn umbrage_slope_bias(slope: vec2f, factor: f32, base: f32) -> f32 {
     return select(y, x, x > y);
 }
 `,
+            "dual_paraboloid_slope": `
+// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
+//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+fn umbrage_dual_paraboloid_slope(way: vec3f, normal: vec3f, per_texel: f32) -> vec2f {
+    let square: f32 = way.x * way.x + way.y * way.y + way.z * way.z;
+    let x: f32 = normal.y * way.z - normal.z * way.y;
+    let y: f32 = normal.z * way.x - normal.x * way.z;
+    let z: f32 = normal.x * way.y - normal.y * way.x;
+    let across: f32 = x * x + y * y + z * z;
+    let along: f32 = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    let wide: f32 = (sqrt(square) + abs(way.z)) * (per_texel * 0.707106781);
+    let slope: f32 = umbrage_clamp_slope(wide * sqrt(across) / abs(along));
+    let none: bool = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return select(vec2f(slope, slope), vec2f(0.0, 0.0), none);
+}
+`,
             "normal_offset": `
 // umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
 //   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
@@ -14150,10 +14259,12 @@ const rows = [
     ["dual_paraboloid_coordinate", "dual_paraboloid_coordinate", "paraboloid map, and where in it, that sees a direction", "c", 32, 0, false, "100", "none", false, []],
     ["dual_paraboloid_position", "dual_paraboloid_position", "a vertex of a paraboloid map's depth pass", "c", 18, 0, false, "100", "none", false, []],
     ["tetrahedron_face", "tetrahedron_face", "face of a tetrahedron that a direction meets", "b", 1, 0, false, "100", "none", false, []],
-    ["tetrahedron_plane", "tetrahedron_plane", "a direction in its tetrahedron face's axes", "b", 1, 0, false, "100", "none", false, ["tetrahedron_face"]],
+    ["tetrahedron_face_point", "tetrahedron_face_point", "a direction in the axes of a tetrahedron's face", "a", 0, 0, false, "100", "none", false, []],
+    ["tetrahedron_plane", "tetrahedron_plane", "a direction in its tetrahedron face's axes", "b", 1, 0, false, "100", "none", false, ["tetrahedron_face", "tetrahedron_face_point"]],
     ["tetrahedron_view_z", "tetrahedron_view_z", "distance along the normal of the tetrahedron's face that a direction meets", "b", 3, 0, false, "100", "none", false, ["tetrahedron_plane"]],
     ["tetrahedron_coordinate", "tetrahedron_coordinate", "face of a tetrahedron, and where on it, that a direction meets", "c", 6, 0, false, "100", "none", false, ["tetrahedron_face", "tetrahedron_plane"]],
-    ["tetrahedron_texel", "tetrahedron_texel", "a point of a tetrahedron's face in the map", "b", 9, 0, false, "100", "none", false, []],
+    ["tetrahedron_turned", "tetrahedron_turned", "a vector of a tetrahedron's first face on another face's side of the map", "a", 0, 0, false, "100", "none", false, []],
+    ["tetrahedron_texel", "tetrahedron_texel", "a point of a tetrahedron's face in the map", "b", 9, 0, false, "100", "none", false, ["tetrahedron_turned"]],
     ["tetrahedron_face_of", "tetrahedron_face_of", "face of a tetrahedron that a texel belongs to", "a", 0, 0, false, "100", "none", false, []],
     ["pancake", "pancake", "casters before the near plane, onto it", "b", 1, 0, false, "100", "none", false, []],
     ["texel", "texel", "texel inside a map", "a", 0, 0, false, "100", "texel", false, []],
@@ -14368,6 +14479,7 @@ const rows = [
     ["receiver_slope", "receiver_slope", "change of a receiver's depth from texel to texel", "c", 27, 0, false, "100", "none", false, ["plane_slope"]],
     ["cascade_slope", "cascade_slope", "change of a plane's depth from texel to texel of a cascade", "c", 6, 0, false, "100", "none", false, ["clamp_slope"]],
     ["slope_bias", "slope_bias", "bias by the greater slope, as rasterizers have it", "b", 2, 0, false, "100", "none", false, ["clamp_bias"]],
+    ["dual_paraboloid_slope", "dual_paraboloid_slope", "change of distance from texel to texel of a paraboloid's map", "c", 39, 0, false, "100", "none", false, ["clamp_slope"]],
     ["normal_offset", "normal_offset", "way off a surface to the point that is looked up in its place", "c", 91, 0, false, "100", "none", false, []],
     ["kernel_bias", "kernel_bias", "bias by the kernel's width and the angle at which light falls", "c", 30, 0, false, "100", "none", false, []],
     ["receiver_plane_slope", "receiver_plane_slope", "slope of a receiver's plane from derivatives, and how far it may be off", "c", 31, 0, false, "100", "none", false, ["clamp_slope"]],
@@ -14499,4 +14611,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_column_8, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_by_projection_8, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_face_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, receiver_slope, cascade_slope, slope_bias, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_column_8, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_by_projection_8, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_face_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_face_point, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_turned, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, receiver_slope, cascade_slope, slope_bias, dual_paraboloid_slope, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;

@@ -8,6 +8,7 @@
 
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/constant.hpp>
+#include <umbrage/bias/distance_slope.hpp>
 #include <umbrage/bias/kernel.hpp>
 #include <umbrage/bias/light_units.hpp>
 #include <umbrage/bias/normal_offset.hpp>

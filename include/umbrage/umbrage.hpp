@@ -13,7 +13,6 @@
 #include <umbrage/images/filter_bounds.hpp>
 #include <umbrage/images/instances.hpp>
 #include <umbrage/images/light_choice.hpp>
-#include <umbrage/images/light_visibility.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/min_max.hpp>
 #include <umbrage/images/moment_table.hpp>
@@ -51,5 +50,7 @@
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/in_shader.hpp>
+#include <umbrage/shadow/paraboloid_maps.hpp>
 #include <umbrage/shadow/shadow.hpp>
 #include <umbrage/shadow/single_map.hpp>
+#include <umbrage/shadow/tetrahedron_map.hpp>

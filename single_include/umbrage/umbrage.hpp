@@ -1416,74 +1416,6 @@ inline constexpr const snippet* acne_free_snippets[]{&acne_free_bias, &acne_free
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/bias/kernel.hpp
-// A bias that grows with the filter's kernel and the angle at which light falls, from a surface's normal.
-//
-//     float width = umbrage::offset_width(filter.reach(), umbrage::texels_to_world(1.0f, units, w));
-//     float world = umbrage::kernel_bias(normal, light_direction, way, width, 20.0f);  // way as for normal_offset
-//     float bias = umbrage::world_to_depth(world, units, w);
-//
-
-namespace umbrage {
-
-/// How far along the light a filter's kernel reaches before a surface's plane.
-///
-/// @param normal      of the surface, of any length, on the side that is seen
-/// @param direction   of the light, a spot's axis, of length one
-/// @param way         from the light to the point over w; for a directional light its direction once more
-/// @param width       of the kernel, offset_width, in world units; or in depth: the result is in the same
-/// @param greatest    tangent from which on the bias grows no more, >= 0
-/// @return            2^-64 to 2^64; width greatest where light grazes or comes from behind, for a normal of zero and
-///                    NaN; 0 for what is not
-/// @formula           width min(|normal x direction| / -(normal . way), greatest), a tangent: up to the greatest one,
-///                    acne_free_bias without its constant part, times 1 to sqrt(2), whichever way the plane is turned
-/// @detaches          casters nearer than the bias along the light lose their shadow: at most width greatest
-/// @exactness         C, n = 30: a square root and a division. S = width s^2 c / (|normal x direction| (normal .
-///                    way)^2) with s, c for |normal x direction|, |normal . way| of magnitudes and pluses
-template <real T>
-[[nodiscard]] T kernel_bias(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width, T greatest) {
-    const T x = normal.y * direction.z + normal.z * -direction.y;
-    const T y = normal.z * direction.x + normal.x * -direction.z;
-    const T z = normal.x * direction.y + normal.y * -direction.x;
-    const T sine = std::sqrt(x * x + y * y + z * z);
-    const T cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
-    const bool grazing = is_nan(cosine) || is_nan(sine) || !(cosine * greatest > sine);
-    const T bias = width * (grazing ? greatest : sine / cosine);
-    return !is_nan(bias) && bias >= T(0x1p-64) && bias < T(0x1p64) ? bias : T(0);
-}
-
-namespace glsl {
-
-inline constexpr snippet kernel_bias{
-    .name = "kernel_bias",
-    .summary = "bias by the kernel's width and the angle at which light falls",
-    .exactness = tier::c,
-    .operations = 30,
-    .source = R"GLSL(
-// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
-//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
-//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
-UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 way,
-                                        UMBRAGE_HIGHP float width, UMBRAGE_HIGHP float greatest) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
-    UMBRAGE_HIGHP float sine = sqrt(square);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge = cosine * greatest;
-    UMBRAGE_HIGHP float tangent = edge > sine ? sine / cosine : greatest;
-    UMBRAGE_HIGHP float bias = width * tangent;
-    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
-}
-)GLSL",
-};
-
-inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/core/lesser.hpp
 // std::min, std::max and std::clamp by value, and of vectors element by element. No platform's header defines these
 // names as macros.
@@ -1725,6 +1657,330 @@ template <real T>
     return detail::orthographic(low, high, z_near, z_far, clip, "orthographic", "low and high", "z_near and z_far");
 }
 
+}  // namespace umbrage
+
+// ---- umbrage/bias/slope.hpp
+// How depth changes from texel to texel where a map sees a plane, and the slope-scaled bias that rasterizers have.
+//
+//     glm::mat4 planes = umbrage::plane_matrix(umbrage::texture_matrix(light, map.size()));  // for planes, not points
+//     glm::vec2 slope = umbrage::plane_slope(planes, normal, world);
+//     float bias = umbrage::slope_bias(slope, 1.0f, 0.0005f);
+//
+
+namespace umbrage {
+
+/// What sends planes where a texture matrix sends their points; a map sees a plane as a plane, spot or not.
+///
+/// @param texture_matrix   world to texels
+/// @return                 for plane_slope; the inverse is taken in double
+/// @throws std::invalid_argument  a matrix without an inverse, or not finite
+/// @formula                transpose(inverse(texture_matrix))
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix) {
+    using wide = std::common_type_t<T, double>;  // double, known where this is called: GLM's matrices cost to compile
+    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
+    detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
+                    "finite, with a finite inverse", texture_matrix);
+    return m;
+}
+
+/// A slope within what a bias tells apart.
+/// @return        -2 .. 2, 2 for NaN: with a reach of half a texel up, acne_free_bias is 1 from 2 on
+/// @exactness     A: selects
+template <real T>
+[[nodiscard]] constexpr T clamp_slope(T slope) {
+    if (is_nan(slope)) return T(2);
+    return slope > T(-2) ? (slope < T(2) ? slope : T(2)) : T(-2);
+}
+
+/// Change of depth from one texel to the next, of the plane through a world.
+///
+/// @param plane_matrix   of the texture matrix
+/// @param normal         of the plane, world, of any length
+/// @param world          a point on the plane
+/// @return               slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on and for NaN
+/// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
+/// @exactness            C, n = 27: two divisions. S = S(q.xy) S(q.z) / q.z^2, S(q) of the product's magnitudes
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
+                                                   glm::vec<3, T> world) {
+    const T d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    glm::vec<3, T> q(0);
+    for (glm::length_t i = 0; i < 3; ++i)
+        q[i] = plane_matrix[3][i] * d + plane_matrix[0][i] * normal.x + plane_matrix[1][i] * normal.y +
+               plane_matrix[2][i] * normal.z;
+    return {clamp_slope(-q.x / q.z), clamp_slope(-q.y / q.z)};
+}
+
+/// Change of a receiver's depth from one texel to the next.
+/// @param normal   of the surface, any length; zero: a caller who has none, and biases in the depth pass
+/// @return         plane_slope; (0, 0) for a normal of zero
+/// @exactness      C, n = 27: S as plane_slope
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
+                                                      glm::vec<3, T> world) {
+    const bool none = normal.x == T(0) && normal.y == T(0) && normal.z == T(0);
+    return none ? glm::vec<2, T>(T(0), T(0)) : plane_slope(plane_matrix, normal, world);
+}
+
+/// The same in a cascade, where world and texels differ by a rotation, a scale and an offset.
+/// @param normal   of the surface, rotated into the light's directions, of any length; zero: a caller who has none
+/// @param scale    of the cascade
+/// @return         slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on, and for NaN
+/// @formula        -normal.xy scale.z / (normal.z scale.xy)
+/// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
+    if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
+    return {clamp_slope(normal.x * -scale.z / (normal.z * scale.x)),
+            clamp_slope(normal.y * -scale.z / (normal.z * scale.y))};
+}
+
+/// The bias that rasterizers know, in a shader: so much a slope, on a base.
+///
+/// @param slope      change of depth from one texel to the next
+/// @param factor     texels
+/// @param base       depth
+/// @return           0 .. 1; 1 for NaN
+/// @formula          factor max(|slope.x|, |slope.y|) + base; with a factor of twice a filter's reach it is at
+///                   least acne_free_bias, as |slope.x| + |slope.y| <= 2 max(|slope.x|, |slope.y|)
+/// @exactness        B, n = 2
+template <real T>
+[[nodiscard]] constexpr T slope_bias(glm::vec<2, T> slope, T factor, T base) {
+    const T x = clamp_bias(factor * (slope.x < T(0) ? -slope.x : slope.x) + base);
+    const T y = clamp_bias(factor * (slope.y < T(0) ? -slope.y : slope.y) + base);
+    return x > y ? x : y;
+}
+
+namespace glsl {
+
+inline constexpr snippet clamp_slope{
+    .name = "clamp_slope",
+    .summary = "clamp of a slope to [-2, 2], NaN to 2",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
+    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet plane_slope{
+    .name = "plane_slope",
+    .summary = "change of a plane's depth from texel to texel",
+    .exactness = tier::c,
+    .operations = 27,
+    .needs = list<&clamp_slope>,
+    .source = R"GLSL(
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                       UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
+                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
+    return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+)GLSL",
+};
+
+inline constexpr snippet receiver_slope{
+    .name = "receiver_slope",
+    .summary = "change of a receiver's depth from texel to texel",
+    .exactness = tier::c,
+    .operations = 27,
+    .needs = list<&plane_slope>,
+    .source = R"GLSL(
+// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                          UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? vec2(0.0, 0.0) : slope;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_slope{
+    .name = "cascade_slope",
+    .summary = "change of a plane's depth from texel to texel of a cascade",
+    .exactness = tier::c,
+    .operations = 6,
+    .needs = list<&clamp_slope>,
+    .source = R"GLSL(
+// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
+//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
+    return none ? vec2(0.0, 0.0) : slope;
+}
+)GLSL",
+};
+
+inline constexpr snippet slope_bias{
+    .name = "slope_bias",
+    .summary = "bias by the greater slope, as rasterizers have it",
+    .exactness = tier::b,
+    .operations = 2,
+    .needs = list<&clamp_bias>,
+    .source = R"GLSL(
+// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float factor,
+                                       UMBRAGE_HIGHP float base) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 bias = abs(slope) * factor + base;
+    UMBRAGE_HIGHP float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    UMBRAGE_HIGHP float y = umbrage_clamp_bias(bias.y);
+    return x > y ? x : y;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &receiver_slope, &cascade_slope,
+                                                 &slope_bias};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/bias/distance_slope.hpp
+// How distance from a light changes from texel to texel of a dual paraboloid map where it sees a plane. Depths there are
+// distances: plane_slope does not hold for them.
+//
+//     glm::vec2 slope = umbrage::dual_paraboloid_slope(world - light.position, normal, 2.0f / (light.range * inner));
+//     float bias = umbrage::acne_free_bias(slope, filter.reach() + umbrage::tessellation_reach<float>, error);
+//
+
+namespace umbrage {
+
+/// What tessellate leaves of places in a dual paraboloid map: a reach in texels to add to a filter's.
+template <real T>
+inline constexpr T tessellation_reach = T(0.825);
+
+/// The greatest change of distance from one texel to the next, shared by both axes: |x| + |y| is what it is diagonally.
+///
+/// @param way         from the light to the receiver, of length 1e-18 to 1e18
+/// @param normal      of the surface, of any length; zero: a caller who has none
+/// @param per_texel   2 / (range (map_size - 2 border)) of the light
+/// @return            (s, s), s 0 .. 2; 2 where the light sees the plane edge-on, and for NaN; 0 for a normal of zero
+/// @formula           s = sqrt(1/2) per_texel (|p| + |p.z|) |n x p| / |n . p|: a texel is 2 (1 + |p.z| / |p|) /
+///                    (map_size - 2 border) radians wide, and distance grows by |p| tan(angle of n and p) a radian
+/// @exactness         C, n = 39: square roots and a division. S(n . p) / |n . p| counts as one value more
+template <real T>
+[[nodiscard]] glm::vec<2, T> dual_paraboloid_slope(glm::vec<3, T> way, glm::vec<3, T> normal, T per_texel) {
+    if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
+    const T square = way.x * way.x + way.y * way.y + way.z * way.z;
+    const T x = normal.y * way.z - normal.z * way.y;
+    const T y = normal.z * way.x - normal.x * way.z;
+    const T z = normal.x * way.y - normal.y * way.x;
+    const T across = x * x + y * y + z * z;
+    const T along = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    const T wide = (std::sqrt(square) + (way.z < T(0) ? -way.z : way.z)) * (per_texel * T(0.70710678118654752440));
+    const T slope = clamp_slope(wide * std::sqrt(across) / (along < T(0) ? -along : along));
+    return {slope, slope};
+}
+
+namespace glsl {
+
+inline constexpr snippet dual_paraboloid_slope{
+    .name = "dual_paraboloid_slope",
+    .summary = "change of distance from texel to texel of a paraboloid's map",
+    .exactness = tier::c,
+    .operations = 39,
+    .needs = list<&clamp_slope>,
+    .source = R"GLSL(
+// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
+//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+UMBRAGE_HIGHP vec2 umbrage_dual_paraboloid_slope(UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal,
+                                                 UMBRAGE_HIGHP float per_texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = way.x * way.x + way.y * way.y + way.z * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * way.z - normal.z * way.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * way.x - normal.x * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * way.y - normal.y * way.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float across = x * x + y * y + z * z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float wide = (sqrt(square) + abs(way.z)) * (per_texel * 0.707106781);
+    UMBRAGE_HIGHP float slope = umbrage_clamp_slope(wide * sqrt(across) / abs(along));
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? vec2(0.0, 0.0) : vec2(slope, slope);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* distance_slope_snippets[]{&dual_paraboloid_slope};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/bias/kernel.hpp
+// A bias that grows with the filter's kernel and the angle at which light falls, from a surface's normal.
+//
+//     float width = umbrage::offset_width(filter.reach(), umbrage::texels_to_world(1.0f, units, w));
+//     float world = umbrage::kernel_bias(normal, light_direction, way, width, 20.0f);  // way as for normal_offset
+//     float bias = umbrage::world_to_depth(world, units, w);
+//
+
+namespace umbrage {
+
+/// How far along the light a filter's kernel reaches before a surface's plane.
+///
+/// @param normal      of the surface, of any length, on the side that is seen
+/// @param direction   of the light, a spot's axis, of length one
+/// @param way         from the light to the point over w; for a directional light its direction once more
+/// @param width       of the kernel, offset_width, in world units; or in depth: the result is in the same
+/// @param greatest    tangent from which on the bias grows no more, >= 0
+/// @return            2^-64 to 2^64; width greatest where light grazes or comes from behind, for a normal of zero and
+///                    NaN; 0 for what is not
+/// @formula           width min(|normal x direction| / -(normal . way), greatest), a tangent: up to the greatest one,
+///                    acne_free_bias without its constant part, times 1 to sqrt(2), whichever way the plane is turned
+/// @detaches          casters nearer than the bias along the light lose their shadow: at most width greatest
+/// @exactness         C, n = 30: a square root and a division. S = width s^2 c / (|normal x direction| (normal .
+///                    way)^2) with s, c for |normal x direction|, |normal . way| of magnitudes and pluses
+template <real T>
+[[nodiscard]] T kernel_bias(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width, T greatest) {
+    const T x = normal.y * direction.z + normal.z * -direction.y;
+    const T y = normal.z * direction.x + normal.x * -direction.z;
+    const T z = normal.x * direction.y + normal.y * -direction.x;
+    const T sine = std::sqrt(x * x + y * y + z * z);
+    const T cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    const bool grazing = is_nan(cosine) || is_nan(sine) || !(cosine * greatest > sine);
+    const T bias = width * (grazing ? greatest : sine / cosine);
+    return !is_nan(bias) && bias >= T(0x1p-64) && bias < T(0x1p64) ? bias : T(0);
+}
+
+namespace glsl {
+
+inline constexpr snippet kernel_bias{
+    .name = "kernel_bias",
+    .summary = "bias by the kernel's width and the angle at which light falls",
+    .exactness = tier::c,
+    .operations = 30,
+    .source = R"GLSL(
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 way,
+                                        UMBRAGE_HIGHP float width, UMBRAGE_HIGHP float greatest) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
+    UMBRAGE_HIGHP float sine = sqrt(square);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge = cosine * greatest;
+    UMBRAGE_HIGHP float tangent = edge > sine ? sine / cosine : greatest;
+    UMBRAGE_HIGHP float bias = width * tangent;
+    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
+
+}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/light/texture_matrix.hpp
@@ -2235,193 +2491,6 @@ namespace detail {
     return {static_cast<std::int32_t>(numbers.constant_factor), numbers.clamp, numbers.slope_factor};
 }
 
-}  // namespace umbrage
-
-// ---- umbrage/bias/slope.hpp
-// How depth changes from texel to texel where a map sees a plane, and the slope-scaled bias that rasterizers have.
-//
-//     glm::mat4 planes = umbrage::plane_matrix(umbrage::texture_matrix(light, map.size()));  // for planes, not points
-//     glm::vec2 slope = umbrage::plane_slope(planes, normal, world);
-//     float bias = umbrage::slope_bias(slope, 1.0f, 0.0005f);
-//
-
-namespace umbrage {
-
-/// What sends planes where a texture matrix sends their points; a map sees a plane as a plane, spot or not.
-///
-/// @param texture_matrix   world to texels
-/// @return                 for plane_slope; the inverse is taken in double
-/// @throws std::invalid_argument  a matrix without an inverse, or not finite
-/// @formula                transpose(inverse(texture_matrix))
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix) {
-    using wide = std::common_type_t<T, double>;  // double, known where this is called: GLM's matrices cost to compile
-    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
-    detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
-                    "finite, with a finite inverse", texture_matrix);
-    return m;
-}
-
-/// A slope within what a bias tells apart.
-/// @return        -2 .. 2, 2 for NaN: with a reach of half a texel up, acne_free_bias is 1 from 2 on
-/// @exactness     A: selects
-template <real T>
-[[nodiscard]] constexpr T clamp_slope(T slope) {
-    if (is_nan(slope)) return T(2);
-    return slope > T(-2) ? (slope < T(2) ? slope : T(2)) : T(-2);
-}
-
-/// Change of depth from one texel to the next, of the plane through a world.
-///
-/// @param plane_matrix   of the texture matrix
-/// @param normal         of the plane, world, of any length
-/// @param world          a point on the plane
-/// @return               slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on and for NaN
-/// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
-/// @exactness            C, n = 27: two divisions. S = S(q.xy) S(q.z) / q.z^2, S(q) of the product's magnitudes
-template <real T>
-[[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
-                                                   glm::vec<3, T> world) {
-    const T d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    glm::vec<3, T> q(0);
-    for (glm::length_t i = 0; i < 3; ++i)
-        q[i] = plane_matrix[3][i] * d + plane_matrix[0][i] * normal.x + plane_matrix[1][i] * normal.y +
-               plane_matrix[2][i] * normal.z;
-    return {clamp_slope(-q.x / q.z), clamp_slope(-q.y / q.z)};
-}
-
-/// Change of a receiver's depth from one texel to the next.
-/// @param normal   of the surface, any length; zero: a caller who has none, and biases in the depth pass
-/// @return         plane_slope; (0, 0) for a normal of zero
-/// @exactness      C, n = 27: S as plane_slope
-template <real T>
-[[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
-                                                      glm::vec<3, T> world) {
-    const bool none = normal.x == T(0) && normal.y == T(0) && normal.z == T(0);
-    return none ? glm::vec<2, T>(T(0), T(0)) : plane_slope(plane_matrix, normal, world);
-}
-
-/// The same in a cascade, where world and texels differ by a rotation, a scale and an offset.
-/// @param normal   of the surface, rotated into the light's directions, of any length; zero: a caller who has none
-/// @param scale    of the cascade
-/// @return         slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on, and for NaN
-/// @formula        -normal.xy scale.z / (normal.z scale.xy)
-/// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
-template <real T>
-[[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
-    if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
-    return {clamp_slope(normal.x * -scale.z / (normal.z * scale.x)),
-            clamp_slope(normal.y * -scale.z / (normal.z * scale.y))};
-}
-
-/// The bias that rasterizers know, in a shader: so much a slope, on a base.
-///
-/// @param slope      change of depth from one texel to the next
-/// @param factor     texels
-/// @param base       depth
-/// @return           0 .. 1; 1 for NaN
-/// @formula          factor max(|slope.x|, |slope.y|) + base; with a factor of twice a filter's reach it is at
-///                   least acne_free_bias, as |slope.x| + |slope.y| <= 2 max(|slope.x|, |slope.y|)
-/// @exactness        B, n = 2
-template <real T>
-[[nodiscard]] constexpr T slope_bias(glm::vec<2, T> slope, T factor, T base) {
-    const T x = clamp_bias(factor * (slope.x < T(0) ? -slope.x : slope.x) + base);
-    const T y = clamp_bias(factor * (slope.y < T(0) ? -slope.y : slope.y) + base);
-    return x > y ? x : y;
-}
-
-namespace glsl {
-
-inline constexpr snippet clamp_slope{
-    .name = "clamp_slope",
-    .summary = "clamp of a slope to [-2, 2], NaN to 2",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
-UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
-    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
-}
-)GLSL",
-};
-
-inline constexpr snippet plane_slope{
-    .name = "plane_slope",
-    .summary = "change of a plane's depth from texel to texel",
-    .exactness = tier::c,
-    .operations = 27,
-    .needs = list<&clamp_slope>,
-    .source = R"GLSL(
-// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
-//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
-UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
-                                       UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
-                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
-    return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
-}
-)GLSL",
-};
-
-inline constexpr snippet receiver_slope{
-    .name = "receiver_slope",
-    .summary = "change of a receiver's depth from texel to texel",
-    .exactness = tier::c,
-    .operations = 27,
-    .needs = list<&plane_slope>,
-    .source = R"GLSL(
-// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
-UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
-                                          UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
-    return none ? vec2(0.0, 0.0) : slope;
-}
-)GLSL",
-};
-
-inline constexpr snippet cascade_slope{
-    .name = "cascade_slope",
-    .summary = "change of a plane's depth from texel to texel of a cascade",
-    .exactness = tier::c,
-    .operations = 6,
-    .needs = list<&clamp_slope>,
-    .source = R"GLSL(
-// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
-//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
-UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
-    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return none ? vec2(0.0, 0.0) : slope;
-}
-)GLSL",
-};
-
-inline constexpr snippet slope_bias{
-    .name = "slope_bias",
-    .summary = "bias by the greater slope, as rasterizers have it",
-    .exactness = tier::b,
-    .operations = 2,
-    .needs = list<&clamp_bias>,
-    .source = R"GLSL(
-// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
-//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
-UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float factor,
-                                       UMBRAGE_HIGHP float base) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 bias = abs(slope) * factor + base;
-    UMBRAGE_HIGHP float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
-    UMBRAGE_HIGHP float y = umbrage_clamp_bias(bias.y);
-    return x > y ? x : y;
-}
-)GLSL",
-};
-
-inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &receiver_slope, &cascade_slope,
-                                                 &slope_bias};
-
-}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/bias/receiver_plane.hpp
@@ -10055,16 +10124,23 @@ template <real T>
     return below ? (direction.z < T(0) ? 1 : 0) : (direction.x < T(0) ? 3 : 2);
 }
 
-/// A direction in its face's own axes.
+/// A direction in a face's own axes.
+/// @param face   0 .. 3
+/// @return       (aside, up, away), see tetrahedron_plane
+/// @exactness    A: selects
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> tetrahedron_face_point(int face, glm::vec<3, T> d) {
+    if (face < 2) return face == 0 ? glm::vec<3, T>(-d.x, d.y, d.z) : glm::vec<3, T>(d.x, d.y, -d.z);
+    return face == 2 ? glm::vec<3, T>(-d.z, -d.y, d.x) : glm::vec<3, T>(d.z, -d.y, -d.x);
+}
+
+/// A direction in the axes of the face that it meets.
 /// @return        (aside, up, away): along the face's base, to the right for who looks along the face with its apex
 ///                above; up in the world, of faces 2 and 3 down; away from the other face of the same two, >= 0
 /// @exactness     B, n = 1: S of tetrahedron_face, then selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_plane(glm::vec<3, T> direction) {
-    const int face = tetrahedron_face(direction);
-    const glm::vec<3, T> d = direction;
-    if (face < 2) return face == 0 ? glm::vec<3, T>(-d.x, d.y, d.z) : glm::vec<3, T>(d.x, d.y, -d.z);
-    return face == 2 ? glm::vec<3, T>(-d.z, -d.y, d.x) : glm::vec<3, T>(d.z, -d.y, -d.x);
+    return tetrahedron_face_point(tetrahedron_face(direction), direction);
 }
 
 /// Distance to a direction's end along the normal of the face that it meets: what per-face depths are made of.
@@ -10088,6 +10164,15 @@ template <real T>
     return {p.x / d, p.z / d, T(tetrahedron_face(direction))};
 }
 
+/// A vector of face 0's side of the map on another face's: turned by quarters.
+/// @param face   0 .. 3
+/// @exactness    A: selects
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> tetrahedron_turned(int face, glm::vec<2, T> v) {
+    if (face < 2) return face == 0 ? v : glm::vec<2, T>(-v.x, -v.y);
+    return face == 2 ? glm::vec<2, T>(-v.y, v.x) : glm::vec<2, T>(v.y, -v.x);
+}
+
 /// Where in a square map that is.
 /// @param at       tetrahedron_coordinate;   size  of the map, in texels;   border  as make_tetrahedron_light's
 /// @return         texels; face 0's base is the first row, 1's the last, 2's the last column, 3's the first
@@ -10098,8 +10183,9 @@ template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_texel(glm::vec<3, T> at, T size, T border) {
     const T half = size * T(0.5), scale = half - border * T(3);
     const T x = at.x * scale, y = at.y * scale + (border - half);
-    if (at.z < T(1.5)) return at.z < T(0.5) ? glm::vec<2, T>(half + x, half + y) : glm::vec<2, T>(half - x, half - y);
-    return at.z < T(2.5) ? glm::vec<2, T>(half - y, half + x) : glm::vec<2, T>(half + y, half - x);
+    const int face = at.z < T(1.5) ? (at.z < T(0.5) ? 0 : 1) : (at.z < T(2.5) ? 2 : 3);
+    const glm::vec<2, T> off = tetrahedron_turned(face, glm::vec<2, T>(x, y));
+    return {half + off.x, half + off.y};
 }
 
 /// The face whose triangle a texel lies in: what a depth pass of another face must leave alone.
@@ -10132,20 +10218,30 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
 )GLSL",
 };
 
+inline constexpr snippet tetrahedron_face_point{
+    .name = "tetrahedron_face_point",
+    .summary = "a direction in the axes of a tetrahedron's face",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 d) {
+    UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
+    UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+)GLSL",
+};
+
 inline constexpr snippet tetrahedron_plane{
     .name = "tetrahedron_plane",
     .summary = "a direction in its tetrahedron face's axes",
     .exactness = tier::b,
     .operations = 1,
-    .needs = list<&tetrahedron_face>,
+    .needs = list<&tetrahedron_face, &tetrahedron_face_point>,
     .source = R"GLSL(
 // umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
 UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(direction);
-    UMBRAGE_HIGHP vec3 d = direction;
-    UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
-    UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
-    return face < 1.5 ? z : x;
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }
 )GLSL",
 };
@@ -10182,11 +10278,26 @@ UMBRAGE_HIGHP vec3 umbrage_tetrahedron_coordinate(UMBRAGE_HIGHP vec3 direction) 
 )GLSL",
 };
 
+inline constexpr snippet tetrahedron_turned{
+    .name = "tetrahedron_turned",
+    .summary = "a vector of a tetrahedron's first face on another face's side of the map",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec2 umbrage_tetrahedron_turned(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 v) {
+    UMBRAGE_HIGHP vec2 z = face < 0.5 ? v : vec2(-v.x, -v.y);
+    UMBRAGE_HIGHP vec2 x = face < 2.5 ? vec2(-v.y, v.x) : vec2(v.y, -v.x);
+    return face < 1.5 ? z : x;
+}
+)GLSL",
+};
+
 inline constexpr snippet tetrahedron_texel{
     .name = "tetrahedron_texel",
     .summary = "a point of a tetrahedron's face in the map",
     .exactness = tier::b,
     .operations = 9,
+    .needs = list<&tetrahedron_turned>,
     .source = R"GLSL(
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels
@@ -10196,8 +10307,7 @@ UMBRAGE_HIGHP vec2 umbrage_tetrahedron_texel(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGH
     UMBRAGE_HIGHP float scale = half_size - border * 3.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = at.x * scale;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = at.y * scale + (border - half_size);
-    UMBRAGE_HIGHP vec2 off = at.z < 1.5 ? vec2(x, y) : vec2(-y, x);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = umbrage_tetrahedron_turned(at.z, vec2(x, y)) + half_size;
     return texel;
 }
 )GLSL",
@@ -10218,9 +10328,9 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face_of(UMBRAGE_HIGHP vec2 texel, UMBRAG
 )GLSL",
 };
 
-inline constexpr const snippet* tetrahedron_snippets[]{&tetrahedron_face,   &tetrahedron_plane,
-                                                       &tetrahedron_view_z, &tetrahedron_coordinate,
-                                                       &tetrahedron_texel,  &tetrahedron_face_of};
+inline constexpr const snippet* tetrahedron_snippets[]{
+    &tetrahedron_face,       &tetrahedron_face_point, &tetrahedron_plane, &tetrahedron_view_z,
+    &tetrahedron_coordinate, &tetrahedron_turned,     &tetrahedron_texel, &tetrahedron_face_of};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -14326,6 +14436,576 @@ template <real T>
 
 }  // namespace umbrage
 
+// ---- umbrage/images/min_max.hpp
+// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
+//
+//     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
+//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
+//
+
+namespace umbrage {
+
+/// One level: an element for each square, those at the far borders cut off by them.
+struct depth_bounds {
+    image<float> least;     ///< NaN where a texel is NaN
+    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
+};
+
+namespace detail {
+
+/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
+template <class ParallelFor>
+void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
+    const glm::ivec2 size = to.least.size();
+    parallel(size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            const bool both = least.data != greatest.data;
+            alignas(64) std::int32_t keys[4][block];
+            alignas(64) float ends[2][2 * block];
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < size.x; x += block) {
+                    const int count = size.x - x < block ? size.x - x : block;
+                    const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
+                        const float* low = from.row(2 * y) + 2 * x;
+                        const float* high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
+                        if (const int there = from.size.x - 2 * x; there < 2 * block) {
+                            for (int i = 0; i < 2 * block; ++i) {
+                                const int k = i < there ? i : there - 1;
+                                ends[0][i] = low[k];
+                                ends[1][i] = high[k];
+                            }
+                            low = ends[0];
+                            high = ends[1];
+                        }
+                        for (int i = 0; i < block; ++i) {
+                            keys[0][i] = order_key(low[2 * i]);
+                            keys[1][i] = order_key(low[2 * i + 1]);
+                            keys[2][i] = order_key(high[2 * i]);
+                            keys[3][i] = order_key(high[2 * i + 1]);
+                        }
+                    };
+                    const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
+                        alignas(64) float depths[block];
+                        for (int i = 0; i < block; ++i)
+                            depths[i] =
+                                from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
+                        copy_floats(result + x, depths, count);
+                    };
+                    load(least);
+                    store(least_of{}, to.least.view().row(y));
+                    if (both) load(greatest);
+                    store(greatest_of{}, to.greatest.view().row(y));
+                }
+        });
+    });
+}
+
+}  // namespace detail
+
+/// @param map       depths, any values
+/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @return          as many levels; a level of a single element is followed by more of them
+/// @throws std::invalid_argument  empty map, or negative levels
+/// @exactness       A: selects, never computes
+template <class ParallelFor = serial>
+[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
+                                                             ParallelFor&& parallel = {}) {
+    detail::require(!map.empty(), "make_min_max_pyramid", "map.size", "above 0", map.size);
+    detail::require(levels >= 0, "make_min_max_pyramid", "levels", "0 or more", levels);
+    std::vector<depth_bounds> pyramid;
+    for (int level = 0; level < levels; ++level) {
+        const image_view<const float> least = level ? pyramid.back().least.view() : map;
+        const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
+        const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
+        depth_bounds next{image<float>(size), image<float>(size)};
+        detail::halve(least, greatest, next, parallel);
+        pyramid.push_back(std::move(next));
+    }
+    return pyramid;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/simd/sum_row.hpp
+// Running sums along a row of an image, and down to a row of its summed-area table.
+//
+//     band_sums<Sum> band(length, values.data, sums.data);
+//     Sum end = sum_row<streams, sum_lanes<Sum, Set>>(from, next_row, before, band.base, band.line, to, count);
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Floats are always added in fours, in the order that summed_area states; integers in any.
+template <class T, isa Set>
+inline constexpr int sum_lanes = std::is_integral_v<T>&& Set != isa::base ? running_sum_lanes : 4;
+
+/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has
+/// the same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table.
+/// The worst placement was measured to be five times as slow.
+template <class Sum>
+class band_sums {
+public:
+    band_sums(std::size_t length, const void* from, const void* to) : memory_(2 * length + 2 * page / sizeof(Sum)) {
+        const std::size_t a = last_bits(from), b = last_bits(to), ahead = (b - a) % page, behind = page - ahead;
+        base = place(memory_.data(), ahead > behind ? a + ahead / 3 : b + behind / 3);
+        line = place(base + length, ahead > behind ? a + 2 * ahead / 3 : b + 2 * behind / 3);
+    }
+    band_sums(const band_sums&) = delete;
+    band_sums& operator=(const band_sums&) = delete;
+
+private:
+    static constexpr std::size_t page = 4096;
+    static std::size_t last_bits(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; }
+    static Sum* place(Sum* from, std::size_t wanted) {
+        return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum);
+    }
+
+    std::vector<Sum> memory_;
+
+public:
+    Sum *base, *line;
+};
+
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`, or of
+/// integers `line` itself, which then holds all that is above.
+/// @param before     sum of the row's texels to the left
+/// @param next_row   comes after `from`
+/// @return           `before` and all texels, of whole blocks
+template <bool Streams, int Lanes, class From, class Sum>
+UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum before, const Sum* base, Sum* line,
+                                  Sum* to, int count) {
+    using few = lanes_of<Sum, Lanes>;
+    constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
+    constexpr int step = by_bytes ? 2 * Lanes : Lanes;
+    few carry;
+    for (int i = 0; i < Lanes; ++i) carry[i] = before;
+    const auto add_few = [&](auto streams, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
+        few sums, there;
+        load_lanes(lines, there);
+        sums = (carry + together) + there;
+        all_last<Lanes>(together);
+        carry = carry + together;
+        store_lanes(sums, lines);
+        if constexpr (!std::is_integral_v<Sum>) {
+            load_lanes(under, there);
+            sums = sums + there;
+        }
+        if constexpr (decltype(streams)::value) stream<sizeof sums>(out, &sums);
+        else store_lanes(sums, out);
+    };
+    const auto sum_some = [&](auto streams, const auto* values, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
+        few together;
+        if constexpr (by_bytes) {
+            few next;
+            running_sums_of_bytes(values, together, next);
+            add_few(streams, together, under, lines, out);
+            add_few(streams, next, under + Lanes, lines + Lanes, out + Lanes);
+        } else {
+            load_lanes(values, together);
+            running_sum<Lanes>(together);
+            add_few(streams, together, under, lines, out);
+        }
+    };
+    constexpr std::bool_constant<Streams> as_asked{};
+    if constexpr (Streams) prefetch_rest(to, count, step);
+    // Measured: the hardware prefetcher comes too late.
+    const auto prefetch = [&](int first) UMBRAGE_INLINE {
+        const int ahead = lesser(1536 / static_cast<int>(sizeof(From)), count), x = first + ahead;
+        prefetch_bytes(x < count ? from + x : next_row + (x - count), 0, block * static_cast<int>(sizeof(From)));
+    };
+    int x = 0;
+    if constexpr (by_bytes) {
+        for (; x + step <= count; x += step) {
+            if (x % block == 0) prefetch(x);
+            sum_some(as_asked, from + x, base + x, line + x, to + x);
+        }
+    } else {
+        // This block and the next, which is loaded before the stores that its loads could alias with.
+        alignas(64) Sum values[2][block];
+        const auto load = [&](int first) UMBRAGE_INLINE {
+            prefetch(first);
+            for (int i = 0; i < block; ++i) values[first / block % 2][i] = from[first + i];
+        };
+        if (block <= count) load(0);
+        for (; x + block <= count; x += block) {
+            if (x + 2 * block <= count) load(x + block);
+            const Sum* const now = values[x / block % 2];
+            for (int i = 0; i < block; i += step) sum_some(as_asked, now + i, base + x + i, line + x + i, to + x + i);
+        }
+    }
+    for (; x < count; x += step) {  // base and line are padded
+        const int there = count - x < step ? count - x : step;
+        std::conditional_t<by_bytes, From, Sum> rest[std::size_t(step)]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(step)];
+        for (int i = 0; i < there; ++i) rest[i] = from[x + i];
+        if (there == step) {
+            sum_some(as_asked, rest, base + x, line + x, to + x);
+        } else {
+            sum_some(std::false_type{}, rest, base + x, line + x, result);
+            for (int i = 0; i < there; ++i) to[x + i] = result[i];
+        }
+    }
+    return carry[0];
+}
+
+/// What sum_row returns, of whole blocks.
+template <int Lanes, class From, class Sum>
+UMBRAGE_INLINE inline Sum sum_of_row(const From* from, Sum before, int count) {
+    lanes_of<Sum, Lanes> carry, few;
+    for (int i = 0; i < Lanes; ++i) carry[i] = std::is_integral_v<Sum> ? Sum(0) : before;
+    for (int x = 0; x < count; x += block) {
+        alignas(64) Sum values[block];
+        for (int i = 0; i < block; ++i) values[i] = from[x + i];
+        for (int i = 0; i < block; i += Lanes) {
+            load_lanes(values + i, few);
+            if constexpr (!std::is_integral_v<Sum>) running_sum<Lanes>(few), all_last<Lanes>(few);
+            carry = carry + few;
+        }
+    }
+    if constexpr (!std::is_integral_v<Sum>) return carry[0];
+    running_sum<Lanes>(carry);
+    return before + carry[Lanes - 1];
+}
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/summed_area.hpp
+// Summed-area tables: the sum over any rectangle of an image from four texels.
+//
+//     umbrage::image<std::uint32_t> sums(values.size());
+//     umbrage::summed_area(values, sums);
+//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
+//
+// Prefer integers: quantize depths or moments first. Their tables are exact, whatever the order; a table of floats
+// loses bits as it grows, and its differences lose more.
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+namespace detail {
+
+/// Rows of a table that are summed from zero, then put on top of what is before them.
+inline constexpr int band_rows = 64;
+
+/// Columns of the strips that threads take: whole blocks, alike wide, two strips or more where there are two blocks.
+/// Each row of a strip lies on a page of its own, so that narrow ones are slower.
+[[nodiscard]] inline int columns_a_strip(int width) {
+    constexpr int widest = 1024;
+    const int strips = greater(2, (width + widest - 1) / widest);
+    return ((width + strips - 1) / strips + block - 1) / block * block;
+}
+
+/// Rows of a strip, of one band. `line` holds the sums of what is above them in the band, and then down to there.
+/// @param before   of each row, the sum of all to the left of the strip, and then up to its end
+template <class From, class Sum>
+void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large, Sum* before, const Sum* base,
+              Sum* line) {
+    const glm::ivec2 size = sums.size;
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
+        for (int y = 0; y < size.y; ++y) {
+            const int y_next = lesser(y + 1, size.y - 1);
+            const From *from = values.row(y), *next_row = values.row(y_next);
+            Sum* to = sums.row(y);
+            prefetch_line(sums.row(y_next));  // for its page's address: stores would wait for that
+            if (is_large && streams_to(to))
+                before[y] = sum_row<true, lanes>(from, next_row, before[y], base, line, to, size.x);
+            else before[y] = sum_row<false, lanes>(from, next_row, before[y], base, line, to, size.x);
+        }
+    });
+    if (is_large) finish_streaming();
+}
+
+/// The sums of each row up to where strips begin. Whoever has summed a strip gives them to who has the next one. Pieces
+/// run when and where a scheduler likes, so that none may wait for another: what is not there yet is added up again.
+template <class From, class Sum>
+class strip_starts {
+public:
+    strip_starts(image_view<const From> values, int strips, int columns)
+        : values_(values),
+          columns_(columns),
+          sums_(static_cast<std::size_t>(strips + 1) * static_cast<std::size_t>(values.size.y)),
+          rows_(static_cast<std::size_t>(strips + 1)) {
+        rows_[0] = values.size.y;
+    }
+
+    /// Of rows first <= y < last.
+    void take(int strip, int first, int last, Sum* sums) const {
+        int known = strip;
+        while (load_acquire(rows_[std::size_t(known)]) < last) --known;
+        std::copy_n(sums_.data() + place_of(known, first), last - first, sums);
+        const int left = known * columns_, width = strip * columns_ - left;
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
+            for (int y = first; y < last; ++y, ++sums) *sums = sum_of_row<lanes>(values_.row(y) + left, *sums, width);
+        });
+    }
+    /// The same, after those of the rows before.
+    void give(int strip, int first, int last, const Sum* sums) {
+        std::copy_n(sums, last - first, sums_.data() + place_of(strip, first));
+        store_release(last, rows_[std::size_t(strip)]);
+    }
+
+private:
+    [[nodiscard]] std::size_t place_of(int strip, int y) const {
+        return static_cast<std::size_t>(strip) * static_cast<std::size_t>(values_.size.y) + static_cast<std::size_t>(y);
+    }
+
+    image_view<const From> values_;
+    int columns_;
+    std::vector<Sum> sums_;  // strip by strip, and one behind the last
+    std::vector<int> rows_;  // whose sums are there, set by one thread while others look
+};
+
+}  // namespace detail
+
+/// Each texel: the sum of all in its row and the rows before, up to and including its column.
+///
+/// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
+/// @param sums      same size, other pixels
+/// @param parallel  cuts strips of up to 1024 columns into pieces, see parallel.hpp; best in their order, one after the
+///                  other or side by side: others read some of the image twice or more
+/// @throws std::invalid_argument  sizes differ
+/// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
+///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
+///              to that the texel above, in bands of 64 rows; to that the last row of the bands before, added up
+///              downwards
+template <class From, class Sum, class ParallelFor = serial>
+void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
+    using value = std::remove_const_t<From>;
+    static_assert(std::is_same_v<Sum, float> ? std::is_same_v<value, float>
+                                             : std::is_same_v<Sum, std::uint32_t> && std::is_unsigned_v<value> &&
+                                                   sizeof(value) <= sizeof(Sum));
+    detail::require_size(sums.size, values.size, "summed_area", "sums.size", "the values' size");
+    if (values.empty()) return;
+    constexpr bool in_one = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
+    const glm::ivec2 size = sums.size;
+    const int columns = in_one ? size.x : detail::columns_a_strip(size.x), strips = (size.x + columns - 1) / columns;
+    const bool is_large = detail::past_cache(sums);
+    detail::strip_starts<value, Sum> starts(values, strips, columns);
+    parallel(strips, [&](int first, int last) {
+        const int left = first * columns, width = detail::lesser(last * columns, size.x) - left;
+        const auto length = (static_cast<std::size_t>(width) + 15) / 16 * 16;
+        detail::band_sums<Sum> band(length, values.data + left, sums.data + left);
+        for (int y = 0; y < size.y; y += detail::band_rows) {
+            const int end = detail::lesser(y + detail::band_rows, size.y);
+            const auto part = [=](const auto& image) { return image.region({left, y}, {width, end - y}); };
+            Sum before[detail::band_rows];
+            starts.take(first, y, end, before);
+            detail::sum_rows<value, Sum>(part(values), part(sums), is_large, before, band.base, band.line);
+            starts.give(last, y, end, before);
+            if constexpr (std::is_integral_v<Sum>) continue;
+            for (std::size_t i = 0; i < length; ++i) band.base[i] = band.line[i] + band.base[i];
+            std::fill_n(band.line, length, Sum(0));
+        }
+    });
+}
+
+/// The same where one of the two is an image.
+template <class From, class Sums, class ParallelFor = serial>
+requires detail::some_image<From, Sums>
+void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
+    summed_area(detail::view_of(values), detail::view_of(sums), parallel);
+}
+
+/// Sum over a rectangle of the image that a table was made of.
+///
+/// @param sums     a table from summed_area
+/// @param first    lowest column and row
+/// @param last     highest column and row, they count too
+/// @return         what lies outside the image counts as 0, as does a rectangle with last < first
+/// @formula        S(last) - S(first.x - 1, last.y) - S(last.x, first.y - 1) + S(first - 1)
+/// @exactness      uint32_t A: exact while the rectangle's area times the greatest value < 2^32, even where sums of the
+///                 table have wrapped around. float B
+template <class T>
+[[nodiscard]] std::remove_const_t<T> box_sum(image_view<T> sums, glm::ivec2 first, glm::ivec2 last) {
+    const int left = first.x > 0 ? first.x : 0, right = last.x < sums.size.x ? last.x : sums.size.x - 1;
+    const int low = first.y > 0 ? first.y : 0, high = last.y < sums.size.y ? last.y : sums.size.y - 1;
+    if (left > right || low > high) return 0;
+    const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
+    return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
+}
+template <class T>
+[[nodiscard]] T box_sum(const image<T>& sums, glm::ivec2 first, glm::ivec2 last) {
+    return box_sum(sums.view(), first, last);
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/moment_table.hpp
+// Summed-area tables of a shadow map's four moments, and visibility of whole images from them.
+//
+//     umbrage::moment_table of{.radius = 16};
+//     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, of);
+//     umbrage::visibility(table, of, receivers, 16, out);
+//
+// A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
+
+namespace umbrage {
+
+/// What a table is made for.
+struct moment_table {
+    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
+    glm::vec2 bias = msm_bias_16;
+    depth_direction direction = depth_direction::forward;
+};
+
+/// Sums of a map's moments for summed_moments.
+///
+/// @param map         depths; NaN counts as far
+/// @param of          the largest box, n texels of it within the map
+/// @return            two halves, each with one column and row more than the map: sums of 65535
+///                    to_optimized_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16,
+///                    and over 2^16
+/// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
+template <class ParallelFor = serial>
+[[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
+                                                    ParallelFor&& parallel = {}) {
+    constexpr auto function = "make_moment_table";
+    detail::require(!map.empty(), function, "map.size", "above 0", map.size);
+    detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
+    const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
+    const std::int64_t n =
+        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
+    detail::require(n <= 65537, function, "radius", "small enough for a box of 65537 texels", of.radius,
+                    "Sums in a larger box may reach 2^32.");
+
+    image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
+    const float cleared = cleared_depth(of.direction);
+    parallel(map.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < map.size.x; ++x)
+                codes[{x, y}] =
+                    glm::u16vec4(to_optimized_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
+    });
+    image<std::uint32_t> channel(map.size), sums(map.size);
+    for (glm::length_t c = 0; c < 4; ++c) {
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) channel[{x, y}] = codes[{x, y}][c];
+        summed_area(channel, sums, parallel);
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) {
+                const std::uint32_t sum = sums[{x, y}];
+                table[{x + 1, y + 1}][c] = static_cast<std::uint16_t>(sum & 0xFFFF);
+                table[{map.size.x + x + 2, y + 1}][c] = static_cast<std::uint16_t>(sum >> 16);
+            }
+    }
+    return table;
+}
+
+/// Visibility from a table: summed_moments of each receiver.
+///
+/// @param table, of   from make_moment_table
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param radius      of the box, at most the table's
+/// @param out         visibility, 1 lit; same size as receivers
+/// @param outside     bordered: outside the map all is lit; clamped: as at its edge
+/// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
+template <class ParallelFor = serial>
+void visibility(image_view<const glm::u16vec4> table, const moment_table& of, image_view<const glm::vec3> receivers,
+                int radius, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    constexpr auto function = "visibility";
+    detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
+    detail::require(table.size.x >= 4 && table.size.x % 2 == 0 && table.size.y >= 2, function, "table.size",
+                    "that of a table of make_moment_table", table.size);
+    if (radius < 0 || radius > of.radius)
+        detail::refuse(function, "radius", std::string("from 0 to the table's, ").append(detail::printed(of.radius)),
+                       radius, "Make the table with this radius.");
+    const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
+    const auto reach = static_cast<float>(radius), cleared = cleared_depth(of.direction);
+    parallel(out.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < out.size.x; ++x) {
+                const glm::vec3 r = receivers.row(y)[x];
+                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, cleared, outside);
+            }
+    });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/overlay.hpp
+// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
+//
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
+//         return umbrage::false_color(s(depth));
+//     });
+//
+
+namespace umbrage {
+
+/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
+struct contrast_stretch {
+    float low = 0.0f, high = 1.0f;
+
+    [[nodiscard]] float operator()(float v) const {
+        if (is_nan(v) || v >= high) return 1.0f;
+        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
+    }
+};
+
+/// The range that a map's depths fill, without the texels that nothing was drawn to.
+///
+/// @param cleared   texels of this value are left out, as are NaN and the infinities
+/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
+/// @return      0..1 when no texel is left
+/// @throws std::invalid_argument  outliers out of range
+template <class = detail::on_use>
+[[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
+    detail::require(outliers >= 0.0 && outliers < 0.5, "stretch", "outliers", "0 or more and below 1/2", outliers);
+    std::vector<float> depths;
+    for (int y = 0; y < map.size.y && !map.empty(); ++y)
+        for (int x = 0; x < map.size.x; ++x)
+            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
+    if (depths.empty()) return {};
+    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
+    const auto ranked = [&](auto at) {
+        std::nth_element(depths.begin(), at, depths.end());
+        return *at;
+    };
+    return {ranked(depths.begin() + given_up), ranked(depths.end() - 1 - given_up)};
+}
+
+/// Where an overlay goes: the top left corner, as people see it.
+struct overlay_placement {
+    glm::ivec2 size{0, 0};                                ///< in texels of the picture; a zero takes the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
+    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
+};
+
+/// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
+/// What does not fit is cut off.
+///
+/// @param color   float -> color, given the map's texels as they are: a float is a gray, a vec3 red, green and blue,
+///                all in [0, 1]
+/// @throws std::invalid_argument  negative size
+template <class Color>
+void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
+             Color&& color) {
+    detail::require(place.size.x >= 0 && place.size.y >= 0, "overlay", "place.size", "0 or more", place.size);
+    if (map.empty()) return;
+    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
+    const auto nearest = [](int i, double count, double from) {
+        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
+    };
+    const auto row_from_top = [](int y, int count, texture_origin origin) {
+        return origin == texture_origin::top ? y : count - 1 - y;
+    };
+    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
+        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
+        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
+        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
+            out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
+    }
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/images/blocks/form.hpp
 // The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
 // none is called receiver by receiver.
@@ -16388,1313 +17068,6 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 
 }  // namespace umbrage
 
-// ---- umbrage/light/sweep.hpp
-// What receivers sweep on their way to the light, as casters have to lie in it: the hull of what the light sees of
-// them, and how near to the light a box of casters comes within it. What fits share.
-//
-
-namespace umbrage {
-namespace detail {
-
-/// Receivers, or a complaint in the name of a function whose argument they are.
-template <class Use = on_use>
-[[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
-    require(receivers.has_value(), function, "receivers", "given", "none");
-    require(is_finite(receivers->radius) && receivers->radius >= 0.0, function, "receivers",
-            "of a finite radius, 0 or more", receivers->radius);
-    for (const glm::dvec3& p : receivers->points) require(all_finite(p), function, "receivers", "finite", p);
-
-    return *receivers;
-}
-
-/// Points whose hull holds all receivers: in place of a ball the corners of its box.
-template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec3> corners_of(const hull& receivers) {
-    if (!(receivers.radius > 0.0)) return receivers.points;
-    std::vector<glm::dvec3> all;
-    for (const glm::dvec3& p : receivers.points)
-        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
-            all.push_back(c);
-    return all;
-}
-
-/// World to x, y and the distance along the light.
-template <real T>
-[[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
-    glm::dmat4 frame(view);
-    if (hand == handedness::right)
-        for (glm::length_t i = 0; i < 4; ++i) frame[i][2] = -frame[i][2];
-    return frame;
-}
-
-template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
-    std::vector<glm::dvec3> moved;
-    moved.reserve(points.size());
-    for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
-    return moved;
-}
-
-struct extent {
-    glm::dvec3 low{highest<double>}, high{-highest<double>};
-};
-template <class = on_use>
-[[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
-    extent e;
-    for (const glm::dvec3& p : points) e.low = lesser(e.low, p), e.high = greater(e.high, p);
-    return e;
-}
-
-/// Counter-clockwise, without what lies on an edge.
-/// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
-template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
-    std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
-    for (glm::dvec2& p : points) p += 0.0;  // zeros are all positive: what is equal has equal bits
-    std::sort(points.begin(), points.end(),
-              [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-    // from b on: a and b may be one corner but for rounding, and (c - a) would then have lost their turn
-    const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-        return (b.x - a.x) * (c.y - b.y) <= (b.y - a.y) * (c.x - b.x);
-    };
-    for (const bool back : {false, true}) {
-        const std::size_t first = hull.size();
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const glm::dvec2& p = points[back ? points.size() - 1 - i : i];
-            while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
-            hull.push_back(p);
-        }
-        hull.pop_back();  // the other side begins with it
-    }
-    return hull;
-}
-
-/// What the hull of points has in common with a half-space, as points around it: those inside, and of where the lines
-/// between them and the others cross the plane the outermost.
-template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points, const glm::dvec4& plane) {
-    const glm::dvec3 normal(plane), steep = glm::abs(normal);
-    const glm::length_t z = steep.x > steep.y ? (steep.x > steep.z ? 0 : 2) : (steep.y > steep.z ? 1 : 2);
-    const glm::length_t x = (z + 1) % 3, y = (z + 2) % 3;
-    const auto inside = [&](const glm::dvec3& p) { return glm::dot(normal, p) + plane.w; };
-    std::vector<glm::dvec3> kept, beyond, crossed;
-    for (const glm::dvec3& p : points) (inside(p) < 0.0 ? beyond : kept).push_back(p);
-    const auto keep_outermost = [&] {
-        if (crossed.size() < 3) return;
-        const std::vector<glm::dvec2> corners = convex_hull(crossed);
-        crossed.clear();
-        for (const glm::dvec2& c : corners) crossed.emplace_back(c, 0.0);
-    };
-    std::size_t enough = 1024;
-    for (const glm::dvec3& a : kept) {
-        for (const glm::dvec3& b : beyond) {
-            const glm::dvec3 p = a + (b - a) * (inside(a) / (inside(a) - inside(b)));
-            crossed.emplace_back(p[x], p[y], 0.0);
-        }
-        if (crossed.size() < enough) continue;
-        keep_outermost();
-        enough = 2 * crossed.size() + 1024;
-    }
-    keep_outermost();
-    for (const glm::dvec3& c : crossed) {
-        glm::dvec3 p;
-        p[x] = c.x, p[y] = c.y, p[z] = -(normal[x] * c.x + normal[y] * c.y + plane.w) / normal[z];
-        kept.push_back(p);
-    }
-    return kept;
-}
-
-/// A plane (a, b, 0, c) through each edge of a hull; none through edges between points that differ by rounding only, as
-/// their direction is arbitrary.
-template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull) {
-    std::vector<glm::dvec4> planes;
-    const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
-    double longest = 0.0;
-    for (std::size_t i = 0; i < hull.size(); ++i) longest = greater(longest, glm::distance(hull[i], end_of(i)));
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
-        if (glm::length(inwards) <= longest * 0x1p-32) continue;
-        planes.emplace_back(inwards, 0.0, -glm::dot(inwards, a));
-    }
-    return planes;
-}
-
-/// Planes around what points sweep, each point with the square of `outwards` around it. Squares keep the planes
-/// continuous while points move: sides moved outwards would jump where a corner of the hull splits in two.
-template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
-    const auto [low, high] = extent_of(seen);
-    // casters that touch a side are within it, whichever way it was rounded
-    const double around = detail::greater(outwards, 0x1p-32 * detail::greater(high.x - low.x, high.y - low.y));
-    std::vector<glm::dvec3> corners;
-    corners.reserve(4 * seen.size());
-    for (const glm::dvec3& p : seen)
-        for (const double x : {p.x - around, p.x + around})
-            for (const double y : {p.y - around, p.y + around}) corners.emplace_back(x, y, p.z);
-    return sides(convex_hull(corners));
-}
-
-/// The least distance along the light of a box's faces within planes; highest<double> where none is.
-template <class = on_use>
-[[nodiscard]] double nearest(const glm::dmat4& frame, const polyhedron& box, const std::vector<glm::dvec4>& planes) {
-    double least = highest<double>;
-    for (const polyhedron::face& face : box.faces()) {
-        std::vector<glm::dvec3> polygon = seen(frame, face.corners);
-        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = lesser(least, p.z);
-    }
-    return least;
-}
-
-}  // namespace detail
-}  // namespace umbrage
-
-// ---- umbrage/light/directional_fit.hpp
-// A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
-//
-//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene, .clip = clip});
-//     auto tight = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene, .clip = clip});
-//     auto still = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = {1024, 1024},
-//          .clip = clip});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct directional_fit {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
-    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
-    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
-    glm::ivec2 snap_texels{0};                    ///< size of a map whose texels stay where they are; 0: not snapped
-    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
-};
-
-namespace detail {
-
-/// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
-struct light_box {
-    glm::dvec2 half, middle;
-    double z_near, z_far;
-};
-
-/// The map of whole square texels around a box, a texel wider, and depths in steps of its longer side.
-[[nodiscard]] inline light_box snapped(const light_box& box, glm::ivec2 texels) {
-    const glm::dvec2 n(texels), halves = box.half / (n - 1.0);
-    const double half_texel = greater(halves.x, halves.y), side = 2.0 * half_texel * greater(n.x, n.y);
-    const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
-    const double z_near = std::floor(box.z_near / side) * side;
-    return {half_texel * n, first * (2.0 / n) + 1.0, z_near,
-            z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
-}
-
-/// fit_directional_light in the name of another function, whose arguments give the box's sides and depths.
-template <real T>
-[[nodiscard]] light_space<T> fit_directional(const directional_fit<T>& fit, const char* function, const char* sides,
-                                             const char* depths) {
-    require_given(fit.clip, function);
-    const hull& lit = given(fit.receivers, function);
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
-    const bool snaps = fit.snap_texels != glm::ivec2(0);
-    require(!snaps || (fit.snap_texels.x > 1 && fit.snap_texels.y > 1), function, "snap_texels", "0 or above 1",
-            fit.snap_texels);
-    if (fit.casters) require_box(*fit.casters, function, "casters");
-
-    light_space<T> space{
-        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
-    const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
-    const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
-    const hull& receivers = lit.points.empty() ? box_of_casters : lit;
-    const auto points = seen(frame, receivers.points);
-    const auto [low, high] = extent_of(points);
-    const auto [first, last] = extent_of(receivers.points);
-    const double radius = receivers.radius;
-    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
-    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
-    light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
-    if (fit.casters && snaps) {
-        const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
-        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
-    } else if (fit.casters) {
-        const auto swept = sweep(points, around);
-        box.z_near = detail::lesser(box.z_near, nearest(frame, *fit.casters, swept) - margin);
-    }
-    if (snaps) box = snapped(box, fit.snap_texels);
-
-    glm::dmat4 projection = orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
-    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
-    space.projection = glm::mat<4, 4, T>(projection);
-    for (glm::length_t i = 0; i < 3; ++i)
-        require(is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
-                "such that the box's size is neither too large nor too small",
-                glm::dvec3(2.0 * box.half, box.z_far - box.z_near));
-    return checked(space, function, depths);
-}
-
-}  // namespace detail
-
-/// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
-/// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
-/// there; for a sphere's sweep stands that of its square.
-///
-/// With snap_texels the box has the map's aspect, so that texels are squares of the world, and is a texel wider. Its
-/// texels lie on a grid of the world wherever the receivers move, as long as their extent keeps its bits: a sphere's
-/// does. Its depths then span the casters' whole box, and go beyond it in steps of the box's longer side. For a grid
-/// that keeps its place to a hundredth of a texel far from the origin, fit in double and take the texture matrix of an
-/// origin.
-///
-/// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
-/// or of one around the origin.
-///
-/// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
-///                                box, a negative margin, and what gives matrices that are not finite
-/// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
-template <real T = float>
-[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    return detail::fit_directional(fit, "fit_directional_light", "receivers and margin",
-                                   "receivers, casters and margin");
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/cascades/cascades.hpp
-// Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
-//
-//     const umbrage::cascade_fit<float> fit{
-//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f, .clip = clip};
-//     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
-//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
-//     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
-//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
-//
-// Far from the world's origin fit in double, and draw and look up relative_to(cascades, origin).
-
-namespace umbrage {
-
-/// One part of the camera's range and its map.
-template <real T>
-struct cascade {
-    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for all
-    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
-    T begin = T(0), end = T(0);                ///< distances along the camera's axis
-};
-
-template <real T = float>
-struct cascade_fit {
-    frustum<T> camera{};                           ///< of any kind; but for its planes, in place of which are splits
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
-    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
-    glm::ivec2 map_size{1024};                     ///< of each cascade, texels
-    T margin = T(2);                               ///< texels around: the filter's reach
-    T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
-    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
-};
-
-namespace detail {
-
-[[nodiscard]] inline int shorter_side(glm::ivec2 size) { return size.x < size.y ? size.x : size.y; }
-
-/// A fitted light, whose view is a rotation, as a cascade.
-template <real T>
-[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, glm::ivec2 map_size, const char* function) {
-    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, map_size);
-    const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
-    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
-    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
-                       glm::vec<4, T>(offset)};
-    const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
-    require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
-            "such that a cascade is neither too large nor too small", c.scale);
-    return c;
-}
-
-/// The camera's parts between splits, with what they overlap.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
-                                                              const std::array<T, Count + 1>& splits,
-                                                              const char* function) {
-    require_given(fit.clip, function);
-    require_given(fit.scene, function, "scene");
-    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits[0]", "finite, 0 or more", splits[0]);
-    for (std::size_t i = 0; i < Count; ++i)
-        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits",
-                "finite and in ascending order", glm::vec<2, T>(splits[i], splits[i + 1]));
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
-    require(double(shorter_side(fit.map_size)) - 2 * double(fit.margin) > 1, function, "map_size", "above 2 margin + 1",
-            fit.map_size);
-    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "from 0 to 1", fit.overlap);
-    std::array<frustum<double>, Count> parts;
-    for (std::size_t i = 0; i < Count; ++i) {
-        const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
-        parts[i] = in_double(fit.camera);
-        parts[i].z_near = double(splits[i]) - double(fit.overlap) * before, parts[i].z_far = double(splits[i + 1]);
-        require_frustum(parts[i], function, "camera");
-    }
-    return parts;
-}
-
-/// What a part sees of a scene; where that is nothing, all of the part.
-template <class = on_use>
-[[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
-    const polyhedron seen = intersection(part, scene);
-    return seen.empty() ? hull(part) : hull(seen);
-}
-
-/// A directional light with depths of a whole scene, and a little beyond it.
-template <real T>
-[[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
-                                                 const char* function) {
-    const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
-    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes have some depth too
-    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
-                                           function, "", "low and high of scene");
-    light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
-    return light;
-}
-
-/// A margin in texels as a share of what a map holds within it.
-template <real T>
-[[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
-    return double(fit.margin) / (shorter_side(fit.map_size) - 2 * double(fit.margin));
-}
-
-/// A cascade for each part, of light(frustum) in double.
-template <std::size_t Count, real T, class Light>
-[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
-                                                          const std::array<T, Count + 1>& splits, const char* function,
-                                                          Light&& light) {
-    const auto parts = camera_parts<Count>(fit, splits, function);
-    std::array<cascade<T>, Count> all;
-    for (std::size_t i = 0; i < Count; ++i) {
-        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
-        all[i].begin = splits[i];
-        all[i].end = splits[i + 1];
-    }
-    return all;
-}
-
-}  // namespace detail
-
-/// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
-/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
-/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each. Texels
-/// are squares of the world, whatever the map's sides; the shorter one decides their size.
-///
-/// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
-/// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
-/// else in float 2^-14 of a texel on maps of 1024, which may move a filter's weights by a step of 1/256. Draw depths
-/// from rotated points by the projection alone. In float, one matrix for both may move points by a hundredth of a
-/// texel.
-///
-/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
-/// @return         the nearest first, from split to split
-/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range; what sphere_around and
-///                                fit_directional_light complain of; and what gives matrices that are not finite
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
-                                                                 const std::array<T, Count + 1>& splits) {
-    constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
-    auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
-        const double around = double(fit.margin);
-        const auto light =
-            detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
-                                             .up = glm::dvec3(fit.up),
-                                             .receivers = sphere_around(part),
-                                             .margin = around / (detail::shorter_side(fit.map_size) - 1 - 2 * around),
-                                             .snap_texels = fit.map_size,
-                                             .clip = fit.clip},
-                                            function, sides, depths);
-        return detail::with_depths_of(light, fit.scene, function);
-    });
-    for (cascade<T>& c : all)
-        for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
-    return all;
-}
-
-/// Cascades of the greatest resolution: each map holds what its part of the camera's frustum has in common with the
-/// scene, and no more; where that is nothing, its part of the frustum. Texels change their size and place as the camera
-/// moves. The rest as for make_stable_cascades; the margin is that many texels or more.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
-                                                                const std::array<T, Count + 1>& splits) {
-    constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
-    return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
-        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
-        return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
-                                                .up = glm::dvec3(fit.up),
-                                                .receivers = detail::receivers_of(part, scene),
-                                                .casters = scene,
-                                                .margin = detail::margin_share(fit),
-                                                .clip = fit.clip},
-                                               function, sides, depths);
-    });
-}
-
-/// Cascades for points relative to an origin near the camera, which may be another each frame: see texture_matrix.
-/// @throws std::invalid_argument  what is not finite in float
-template <std::size_t Count>
-[[nodiscard]] std::array<cascade<float>, Count> relative_to(const std::array<cascade<double>, Count>& cascades,
-                                                            glm::dvec3 origin) {
-    std::array<cascade<float>, Count> all;
-    for (std::size_t i = 0; i < Count; ++i) {
-        const cascade<double>& c = cascades[i];
-        const glm::vec4 offset(c.scale * (c.light.view * glm::dvec4(origin, 0.0)) + c.offset);
-        detail::require(detail::all_finite(offset), "relative_to", "origin", "such that offsets are finite", origin);
-        all[i] = {relative_to(c.light, origin), glm::vec4(c.scale), offset, float(c.begin), float(c.end)};
-    }
-    return all;
-}
-
-/// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
-template <real T>
-struct cascade_uniforms {
-    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's directions, for shadow_coordinate
-    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< columns: a cascade's each; w: of cascade_fade
-    glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
-};
-
-namespace detail {
-
-/// Scale and offset of a cascade's cascade_fade; zeros where nothing fades.
-template <real T>
-[[nodiscard]] glm::vec<2, T> fade_of(T begin, T end, T fade) {
-    const T width = fade * (end - begin);
-    return width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
-}
-
-template <real T>
-void require_fade(T fade) {
-    require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
-}
-
-/// How many threes hold the ends of cascades but the last.
-template <std::size_t Count>
-inline constexpr std::size_t ends_groups = Count < 3 ? 1 : (Count + 1) / 3;
-
-/// The ends of cascades but the last, three at a time, filled up with the highest number.
-template <real T, class Cascade, std::size_t Count>
-[[nodiscard]] std::array<glm::vec<3, T>, ends_groups<Count>> ends_of(const std::array<Cascade, Count>& cascades) {
-    std::array<glm::vec<3, T>, ends_groups<Count>> ends;
-    ends.fill(glm::vec<3, T>(highest<T>));
-    for (std::size_t i = 0; i + 1 < Count; ++i) ends[i / 3][static_cast<glm::length_t>(i % 3)] = cascades[i].end;
-    return ends;
-}
-
-/// Scales and offsets of up to four cascades; what is not there holds no point.
-template <real T>
-void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>& scales, glm::mat<4, 4, T>& offsets) {
-    scales = offsets = glm::mat<4, 4, T>(T(0));
-    for (glm::length_t i = 0; i < 4; ++i) {
-        if (static_cast<std::size_t>(i) >= cascades.size()) {
-            offsets[i] = {T(65536), T(65536), T(0), T(0)};
-            continue;
-        }
-        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
-        const glm::vec<2, T> fades = fade_of(c.begin, c.end, fade);
-        scales[i] = glm::vec<4, T>(glm::vec<3, T>(c.scale), fades.x);
-        offsets[i] = glm::vec<4, T>(glm::vec<3, T>(c.offset), fades.y);
-    }
-}
-
-}  // namespace detail
-
-/// Uniforms of up to four cascades, as cascade_column and cascade_by_projection take them. Warped cascades have a matrix
-/// each: warped.hpp.
-/// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
-///               overlap must have been asked for
-/// @return       where there are fewer than four, nothing falls into the others by depth or by projection
-/// @throws std::invalid_argument  fade out of range
-template <real T, std::size_t Count>
-requires(Count >= 1 && Count <= 4)
-    [[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
-    detail::require_fade(fade);
-    cascade_uniforms<T> u;
-    u.rotation = cascades[0].light.view;
-    u.ends = detail::ends_of<T>(cascades)[0];
-    detail::set_columns<T>(cascades, fade, u.scales, u.offsets);
-    return u;
-}
-
-/// What a shader of five and more cascades takes, in groups of four: cascade_column_8 and cascade_by_projection_8.
-template <real T, std::size_t Count>
-struct grouped_cascade_uniforms {
-    glm::mat<4, 4, T> rotation{T(1)};                                ///< as cascade_uniforms has it
-    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< of four cascades each, as there
-    /// Of the cascades but the last, three at a time: the sum of cascade_by_depth over them is a cascade's number.
-    std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
-};
-
-/// Uniforms of five and more cascades: their first four are those of cascade_uniforms. The rest as there.
-template <real T, std::size_t Count>
-requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascade_uniforms(
-    const std::array<cascade<T>, Count>& cascades, T fade) {
-    detail::require_fade(fade);
-    grouped_cascade_uniforms<T, Count> u;
-    u.rotation = cascades[0].light.view;
-    u.ends = detail::ends_of<T>(cascades);
-    for (std::size_t i = 0; i < u.scales.size(); ++i)
-        detail::set_columns<T>(std::span(cascades).subspan(4 * i), fade, u.scales[i], u.offsets[i]);
-    return u;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/light_visibility.hpp
-// A whole image of points in the world against a light of several maps: cascades, a cube, a tetrahedron or two
-// paraboloids. Each point chooses its map and its place in it.
-//
-//     umbrage::light_map map{atlas, umbrage::make_cascade_uniforms(cascades, 0.1f)};  // 2 x 2 tiles: cascade_tile
-//     umbrage::visibility(map, umbrage::depth32f{}, points, umbrage::filters::pcf_2x2{}, out);
-//
-//     umbrage::point_light<float> lamp{.position = p, .map_size = 512, .border = 2, .clip = clip};
-//     umbrage::light_map of_lamp{faces, lamp};  // 3 x 2 tiles: cube_tile
-//
-// Points are biased as points: moved towards the light, or off the surface (normal_offset).
-
-namespace umbrage {
-
-/// The maps of a light in one image.
-/// @tparam Light   cascade_uniforms<float>: 2 x 2 tiles, those of no cascade unused; grouped_cascade_uniforms<float, N>:
-///                 two tiles a row; point_light<float>: 3 x 2 tiles, cube_tile; tetrahedron_light<float>: one square;
-///                 dual_paraboloid_light<float>: 2 x 1 tiles
-template <class Texel, class Light>
-struct light_map {
-    image_view<const Texel> texels;
-    Light light;
-};
-template <class Texel, class Light>
-light_map(const image<Texel>&, Light) -> light_map<Texel, Light>;
-template <class Texel, class Light>
-light_map(image_view<Texel>, Light) -> light_map<std::remove_const_t<Texel>, Light>;
-
-namespace detail {
-
-/// Where a point is looked up.
-struct placed_receiver {
-    glm::ivec2 tile;  ///< its first texel
-    glm::vec3 at;     ///< in texels of the tile, depth
-};
-
-/// The first cascade that holds a point and its filter, of groups of four; none: lit.
-template <std::size_t Count>
-struct cascade_placing {
-    static constexpr int columns = 2, rows = static_cast<int>(Count + 1) / 2;  // of tiles
-    glm::mat4 rotation;
-    std::array<glm::mat4, (Count + 3) / 4> scales, offsets;
-    glm::ivec2 size;
-    float reach;
-
-    template <class Uniforms>
-    cascade_placing(const Uniforms& u, glm::ivec2 texels, float filter_reach)
-        : rotation(u.rotation),
-          scales{u.scales},
-          offsets{u.offsets},
-          size(texels / glm::ivec2(columns, rows)),
-          reach(filter_reach) {}
-    [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
-        const glm::vec3 light(shadow_coordinate(rotation, world));
-        glm::vec4 at(0.0f);
-        int number = 0;
-        for (std::size_t i = 0; i < scales.size() && number == static_cast<int>(4 * i); ++i) {
-            at = cascade_by_projection(light, scales[i], offsets[i], glm::vec2(size), reach);
-            number += static_cast<int>(at.w);
-        }
-        constexpr int last = static_cast<int>(Count) - 1;
-        return {cascade_tile(number < last ? number : last, size), glm::vec3(at)};
-    }
-};
-
-/// Faces with a projection each, of which a direction chooses one.
-template <std::size_t Faces>
-struct face_placing {
-    glm::vec3 position;
-    int size;
-    std::array<glm::mat4, Faces> to_texels;
-
-    face_placing(const std::array<light_space<float>, Faces>& faces, glm::vec3 from, int map_size)
-        : position(from), size(map_size) {
-        for (std::size_t i = 0; i < Faces; ++i) to_texels[i] = texture_matrix(faces[i], glm::ivec2(size));
-    }
-    [[nodiscard]] glm::vec3 on_face(int face, glm::vec3 world) const {
-        return project_coordinate(shadow_coordinate(to_texels[static_cast<std::size_t>(face)], world));
-    }
-};
-struct cube_placing : face_placing<6> {
-    static constexpr int columns = 3, rows = 2;  // of tiles
-    cube_placing(const point_light<float>& l, glm::ivec2, float)
-        : face_placing<6>(make_point_light(l), l.position, l.map_size) {}
-    [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
-        const int face = cube_face(world - position);
-        return {cube_tile(face, size), on_face(face, world)};
-    }
-};
-struct tetrahedron_placing : face_placing<4> {
-    static constexpr int columns = 1, rows = 1;  // of tiles
-    tetrahedron_placing(const tetrahedron_light<float>& l, glm::ivec2, float)
-        : face_placing<4>(make_tetrahedron_light(l), l.position, l.map_size) {}
-    [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
-        return {glm::ivec2(0), on_face(tetrahedron_face(world - position), world)};
-    }
-};
-struct paraboloid_placing {
-    static constexpr int columns = 2, rows = 1;  // of tiles
-    dual_paraboloid_light<float> light;
-    int size;
-
-    paraboloid_placing(const dual_paraboloid_light<float>& l, glm::ivec2, float) : light(l), size(l.map_size) {
-        static_cast<void>(make_dual_paraboloid_light(l));  // complains of what cannot be
-    }
-    [[nodiscard]] placed_receiver operator()(glm::vec3 world) const {
-        const glm::vec3 way = world - light.position, at = dual_paraboloid_coordinate(way);
-        const auto border = static_cast<float>(light.border), inner = static_cast<float>(size) - 2.0f * border;
-        const float depth = distance_depth(way, 1.0f / light.range);
-        return {{at.z > 0.5f ? size : 0, 0},
-                {at.x * inner + border, at.y * inner + border,
-                 light.clip.direction == depth_direction::forward ? depth : reverse_depth(depth)}};
-    }
-};
-
-template <class Light>
-struct placing_of;
-template <std::size_t Count>
-struct placing_of<grouped_cascade_uniforms<float, Count>> {
-    using type = cascade_placing<Count>;
-};
-template <>
-struct placing_of<cascade_uniforms<float>> {
-    using type = cascade_placing<4>;
-};
-template <>
-struct placing_of<point_light<float>> {
-    using type = cube_placing;
-};
-template <>
-struct placing_of<tetrahedron_light<float>> {
-    using type = tetrahedron_placing;
-};
-template <>
-struct placing_of<dual_paraboloid_light<float>> {
-    using type = paraboloid_placing;
-};
-
-}  // namespace detail
-
-/// Visibility of points from a light of several maps.
-///
-/// @param map         its texels, and the light that they were drawn for
-/// @param encoding    how the texels hold depth, and which way it runs; its edge decides ties
-/// @param points      in the world, biased; what no cascade holds is lit, NaN too
-/// @param filter      as for visibility of a single map. Texels beyond a tile are clamped to it: take the filter's
-///                    reach as the light's border
-/// @param out         visibility, 1 lit; same size as points
-/// @param parallel    cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ, texels of another size than the light's tiles, and what the light's
-///                                make_ function complains of
-/// @exactness         the bits of the filter over each point's map: cascade_by_projection; cube_face or
-///                    tetrahedron_face and that face's texture_matrix; dual_paraboloid_coordinate and distance_depth
-template <class Encoding, class Light, class Filter, class ParallelFor = serial>
-void visibility(const light_map<typename Encoding::texel, Light>& map, const Encoding& encoding,
-                image_view<const glm::vec3> points, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
-    constexpr auto function = "visibility";
-    detail::require_size(out.size, points.size, function, "out.size", "the size of points");
-    float reach = 0.0f;
-    if constexpr (requires { filter.reach(); }) reach = filter.reach();
-    using placing = typename detail::placing_of<Light>::type;
-    const placing place(map.light, map.texels.size, reach);
-    const glm::ivec2 tile_size(place.size), tiles(placing::columns, placing::rows);
-    detail::require(tile_size.x >= 1 && tile_size.y >= 1, function, "map.texels.size", "that of the light's tiles",
-                    map.texels.size);
-    detail::require_size(map.texels.size, tiles * tile_size, function, "map.texels.size", "that of the light's tiles");
-    const auto& directed = detail::in_direction(filter, detail::direction_of(encoding, filter));
-    parallel(out.size.y, [&](int first, int last) {
-        for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
-            for (p.x = 0; p.x < out.size.x; ++p.x) {
-                const detail::placed_receiver r = place(points[p]);
-                const auto tile = map.texels.region(r.tile, tile_size);
-                out[p] = detail::filtered(directed, decoded(clamped(tile), encoding), glm::vec2(r.at), r.at.z, p);
-            }
-    });
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/min_max.hpp
-// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
-//
-//     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
-//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
-//
-
-namespace umbrage {
-
-/// One level: an element for each square, those at the far borders cut off by them.
-struct depth_bounds {
-    image<float> least;     ///< NaN where a texel is NaN
-    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
-};
-
-namespace detail {
-
-/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
-template <class ParallelFor>
-void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
-    const glm::ivec2 size = to.least.size();
-    parallel(size.y, [&](int first, int last) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
-            const bool both = least.data != greatest.data;
-            alignas(64) std::int32_t keys[4][block];
-            alignas(64) float ends[2][2 * block];
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < size.x; x += block) {
-                    const int count = size.x - x < block ? size.x - x : block;
-                    const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
-                        const float* low = from.row(2 * y) + 2 * x;
-                        const float* high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
-                        if (const int there = from.size.x - 2 * x; there < 2 * block) {
-                            for (int i = 0; i < 2 * block; ++i) {
-                                const int k = i < there ? i : there - 1;
-                                ends[0][i] = low[k];
-                                ends[1][i] = high[k];
-                            }
-                            low = ends[0];
-                            high = ends[1];
-                        }
-                        for (int i = 0; i < block; ++i) {
-                            keys[0][i] = order_key(low[2 * i]);
-                            keys[1][i] = order_key(low[2 * i + 1]);
-                            keys[2][i] = order_key(high[2 * i]);
-                            keys[3][i] = order_key(high[2 * i + 1]);
-                        }
-                    };
-                    const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
-                        alignas(64) float depths[block];
-                        for (int i = 0; i < block; ++i)
-                            depths[i] =
-                                from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
-                        copy_floats(result + x, depths, count);
-                    };
-                    load(least);
-                    store(least_of{}, to.least.view().row(y));
-                    if (both) load(greatest);
-                    store(greatest_of{}, to.greatest.view().row(y));
-                }
-        });
-    });
-}
-
-}  // namespace detail
-
-/// @param map       depths, any values
-/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
-/// @param parallel  cuts the rows into pieces, see parallel.hpp
-/// @return          as many levels; a level of a single element is followed by more of them
-/// @throws std::invalid_argument  empty map, or negative levels
-/// @exactness       A: selects, never computes
-template <class ParallelFor = serial>
-[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
-                                                             ParallelFor&& parallel = {}) {
-    detail::require(!map.empty(), "make_min_max_pyramid", "map.size", "above 0", map.size);
-    detail::require(levels >= 0, "make_min_max_pyramid", "levels", "0 or more", levels);
-    std::vector<depth_bounds> pyramid;
-    for (int level = 0; level < levels; ++level) {
-        const image_view<const float> least = level ? pyramid.back().least.view() : map;
-        const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
-        const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
-        depth_bounds next{image<float>(size), image<float>(size)};
-        detail::halve(least, greatest, next, parallel);
-        pyramid.push_back(std::move(next));
-    }
-    return pyramid;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/simd/sum_row.hpp
-// Running sums along a row of an image, and down to a row of its summed-area table.
-//
-//     band_sums<Sum> band(length, values.data, sums.data);
-//     Sum end = sum_row<streams, sum_lanes<Sum, Set>>(from, next_row, before, band.base, band.line, to, count);
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Floats are always added in fours, in the order that summed_area states; integers in any.
-template <class T, isa Set>
-inline constexpr int sum_lanes = std::is_integral_v<T>&& Set != isa::base ? running_sum_lanes : 4;
-
-/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has
-/// the same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table.
-/// The worst placement was measured to be five times as slow.
-template <class Sum>
-class band_sums {
-public:
-    band_sums(std::size_t length, const void* from, const void* to) : memory_(2 * length + 2 * page / sizeof(Sum)) {
-        const std::size_t a = last_bits(from), b = last_bits(to), ahead = (b - a) % page, behind = page - ahead;
-        base = place(memory_.data(), ahead > behind ? a + ahead / 3 : b + behind / 3);
-        line = place(base + length, ahead > behind ? a + 2 * ahead / 3 : b + 2 * behind / 3);
-    }
-    band_sums(const band_sums&) = delete;
-    band_sums& operator=(const band_sums&) = delete;
-
-private:
-    static constexpr std::size_t page = 4096;
-    static std::size_t last_bits(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; }
-    static Sum* place(Sum* from, std::size_t wanted) {
-        return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum);
-    }
-
-    std::vector<Sum> memory_;
-
-public:
-    Sum *base, *line;
-};
-
-/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`, or of
-/// integers `line` itself, which then holds all that is above.
-/// @param before     sum of the row's texels to the left
-/// @param next_row   comes after `from`
-/// @return           `before` and all texels, of whole blocks
-template <bool Streams, int Lanes, class From, class Sum>
-UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum before, const Sum* base, Sum* line,
-                                  Sum* to, int count) {
-    using few = lanes_of<Sum, Lanes>;
-    constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
-    constexpr int step = by_bytes ? 2 * Lanes : Lanes;
-    few carry;
-    for (int i = 0; i < Lanes; ++i) carry[i] = before;
-    const auto add_few = [&](auto streams, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
-        few sums, there;
-        load_lanes(lines, there);
-        sums = (carry + together) + there;
-        all_last<Lanes>(together);
-        carry = carry + together;
-        store_lanes(sums, lines);
-        if constexpr (!std::is_integral_v<Sum>) {
-            load_lanes(under, there);
-            sums = sums + there;
-        }
-        if constexpr (decltype(streams)::value) stream<sizeof sums>(out, &sums);
-        else store_lanes(sums, out);
-    };
-    const auto sum_some = [&](auto streams, const auto* values, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
-        few together;
-        if constexpr (by_bytes) {
-            few next;
-            running_sums_of_bytes(values, together, next);
-            add_few(streams, together, under, lines, out);
-            add_few(streams, next, under + Lanes, lines + Lanes, out + Lanes);
-        } else {
-            load_lanes(values, together);
-            running_sum<Lanes>(together);
-            add_few(streams, together, under, lines, out);
-        }
-    };
-    constexpr std::bool_constant<Streams> as_asked{};
-    if constexpr (Streams) prefetch_rest(to, count, step);
-    // Measured: the hardware prefetcher comes too late.
-    const auto prefetch = [&](int first) UMBRAGE_INLINE {
-        const int ahead = lesser(1536 / static_cast<int>(sizeof(From)), count), x = first + ahead;
-        prefetch_bytes(x < count ? from + x : next_row + (x - count), 0, block * static_cast<int>(sizeof(From)));
-    };
-    int x = 0;
-    if constexpr (by_bytes) {
-        for (; x + step <= count; x += step) {
-            if (x % block == 0) prefetch(x);
-            sum_some(as_asked, from + x, base + x, line + x, to + x);
-        }
-    } else {
-        // This block and the next, which is loaded before the stores that its loads could alias with.
-        alignas(64) Sum values[2][block];
-        const auto load = [&](int first) UMBRAGE_INLINE {
-            prefetch(first);
-            for (int i = 0; i < block; ++i) values[first / block % 2][i] = from[first + i];
-        };
-        if (block <= count) load(0);
-        for (; x + block <= count; x += block) {
-            if (x + 2 * block <= count) load(x + block);
-            const Sum* const now = values[x / block % 2];
-            for (int i = 0; i < block; i += step) sum_some(as_asked, now + i, base + x + i, line + x + i, to + x + i);
-        }
-    }
-    for (; x < count; x += step) {  // base and line are padded
-        const int there = count - x < step ? count - x : step;
-        std::conditional_t<by_bytes, From, Sum> rest[std::size_t(step)]{};
-        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(step)];
-        for (int i = 0; i < there; ++i) rest[i] = from[x + i];
-        if (there == step) {
-            sum_some(as_asked, rest, base + x, line + x, to + x);
-        } else {
-            sum_some(std::false_type{}, rest, base + x, line + x, result);
-            for (int i = 0; i < there; ++i) to[x + i] = result[i];
-        }
-    }
-    return carry[0];
-}
-
-/// What sum_row returns, of whole blocks.
-template <int Lanes, class From, class Sum>
-UMBRAGE_INLINE inline Sum sum_of_row(const From* from, Sum before, int count) {
-    lanes_of<Sum, Lanes> carry, few;
-    for (int i = 0; i < Lanes; ++i) carry[i] = std::is_integral_v<Sum> ? Sum(0) : before;
-    for (int x = 0; x < count; x += block) {
-        alignas(64) Sum values[block];
-        for (int i = 0; i < block; ++i) values[i] = from[x + i];
-        for (int i = 0; i < block; i += Lanes) {
-            load_lanes(values + i, few);
-            if constexpr (!std::is_integral_v<Sum>) running_sum<Lanes>(few), all_last<Lanes>(few);
-            carry = carry + few;
-        }
-    }
-    if constexpr (!std::is_integral_v<Sum>) return carry[0];
-    running_sum<Lanes>(carry);
-    return before + carry[Lanes - 1];
-}
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/summed_area.hpp
-// Summed-area tables: the sum over any rectangle of an image from four texels.
-//
-//     umbrage::image<std::uint32_t> sums(values.size());
-//     umbrage::summed_area(values, sums);
-//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
-//
-// Prefer integers: quantize depths or moments first. Their tables are exact, whatever the order; a table of floats
-// loses bits as it grows, and its differences lose more.
-
-UMBRAGE_STRICT_MATH
-namespace umbrage {
-namespace detail {
-
-/// Rows of a table that are summed from zero, then put on top of what is before them.
-inline constexpr int band_rows = 64;
-
-/// Columns of the strips that threads take: whole blocks, alike wide, two strips or more where there are two blocks.
-/// Each row of a strip lies on a page of its own, so that narrow ones are slower.
-[[nodiscard]] inline int columns_a_strip(int width) {
-    constexpr int widest = 1024;
-    const int strips = greater(2, (width + widest - 1) / widest);
-    return ((width + strips - 1) / strips + block - 1) / block * block;
-}
-
-/// Rows of a strip, of one band. `line` holds the sums of what is above them in the band, and then down to there.
-/// @param before   of each row, the sum of all to the left of the strip, and then up to its end
-template <class From, class Sum>
-void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large, Sum* before, const Sum* base,
-              Sum* line) {
-    const glm::ivec2 size = sums.size;
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
-        for (int y = 0; y < size.y; ++y) {
-            const int y_next = lesser(y + 1, size.y - 1);
-            const From *from = values.row(y), *next_row = values.row(y_next);
-            Sum* to = sums.row(y);
-            prefetch_line(sums.row(y_next));  // for its page's address: stores would wait for that
-            if (is_large && streams_to(to))
-                before[y] = sum_row<true, lanes>(from, next_row, before[y], base, line, to, size.x);
-            else before[y] = sum_row<false, lanes>(from, next_row, before[y], base, line, to, size.x);
-        }
-    });
-    if (is_large) finish_streaming();
-}
-
-/// The sums of each row up to where strips begin. Whoever has summed a strip gives them to who has the next one. Pieces
-/// run when and where a scheduler likes, so that none may wait for another: what is not there yet is added up again.
-template <class From, class Sum>
-class strip_starts {
-public:
-    strip_starts(image_view<const From> values, int strips, int columns)
-        : values_(values),
-          columns_(columns),
-          sums_(static_cast<std::size_t>(strips + 1) * static_cast<std::size_t>(values.size.y)),
-          rows_(static_cast<std::size_t>(strips + 1)) {
-        rows_[0] = values.size.y;
-    }
-
-    /// Of rows first <= y < last.
-    void take(int strip, int first, int last, Sum* sums) const {
-        int known = strip;
-        while (load_acquire(rows_[std::size_t(known)]) < last) --known;
-        std::copy_n(sums_.data() + place_of(known, first), last - first, sums);
-        const int left = known * columns_, width = strip * columns_ - left;
-        on_best_isa([&](auto set) UMBRAGE_INLINE {
-            constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
-            for (int y = first; y < last; ++y, ++sums) *sums = sum_of_row<lanes>(values_.row(y) + left, *sums, width);
-        });
-    }
-    /// The same, after those of the rows before.
-    void give(int strip, int first, int last, const Sum* sums) {
-        std::copy_n(sums, last - first, sums_.data() + place_of(strip, first));
-        store_release(last, rows_[std::size_t(strip)]);
-    }
-
-private:
-    [[nodiscard]] std::size_t place_of(int strip, int y) const {
-        return static_cast<std::size_t>(strip) * static_cast<std::size_t>(values_.size.y) + static_cast<std::size_t>(y);
-    }
-
-    image_view<const From> values_;
-    int columns_;
-    std::vector<Sum> sums_;  // strip by strip, and one behind the last
-    std::vector<int> rows_;  // whose sums are there, set by one thread while others look
-};
-
-}  // namespace detail
-
-/// Each texel: the sum of all in its row and the rows before, up to and including its column.
-///
-/// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
-/// @param sums      same size, other pixels
-/// @param parallel  cuts strips of up to 1024 columns into pieces, see parallel.hpp; best in their order, one after the
-///                  other or side by side: others read some of the image twice or more
-/// @throws std::invalid_argument  sizes differ
-/// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
-///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
-///              to that the texel above, in bands of 64 rows; to that the last row of the bands before, added up
-///              downwards
-template <class From, class Sum, class ParallelFor = serial>
-void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
-    using value = std::remove_const_t<From>;
-    static_assert(std::is_same_v<Sum, float> ? std::is_same_v<value, float>
-                                             : std::is_same_v<Sum, std::uint32_t> && std::is_unsigned_v<value> &&
-                                                   sizeof(value) <= sizeof(Sum));
-    detail::require_size(sums.size, values.size, "summed_area", "sums.size", "the values' size");
-    if (values.empty()) return;
-    constexpr bool in_one = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
-    const glm::ivec2 size = sums.size;
-    const int columns = in_one ? size.x : detail::columns_a_strip(size.x), strips = (size.x + columns - 1) / columns;
-    const bool is_large = detail::past_cache(sums);
-    detail::strip_starts<value, Sum> starts(values, strips, columns);
-    parallel(strips, [&](int first, int last) {
-        const int left = first * columns, width = detail::lesser(last * columns, size.x) - left;
-        const auto length = (static_cast<std::size_t>(width) + 15) / 16 * 16;
-        detail::band_sums<Sum> band(length, values.data + left, sums.data + left);
-        for (int y = 0; y < size.y; y += detail::band_rows) {
-            const int end = detail::lesser(y + detail::band_rows, size.y);
-            const auto part = [=](const auto& image) { return image.region({left, y}, {width, end - y}); };
-            Sum before[detail::band_rows];
-            starts.take(first, y, end, before);
-            detail::sum_rows<value, Sum>(part(values), part(sums), is_large, before, band.base, band.line);
-            starts.give(last, y, end, before);
-            if constexpr (std::is_integral_v<Sum>) continue;
-            for (std::size_t i = 0; i < length; ++i) band.base[i] = band.line[i] + band.base[i];
-            std::fill_n(band.line, length, Sum(0));
-        }
-    });
-}
-
-/// The same where one of the two is an image.
-template <class From, class Sums, class ParallelFor = serial>
-requires detail::some_image<From, Sums>
-void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
-    summed_area(detail::view_of(values), detail::view_of(sums), parallel);
-}
-
-/// Sum over a rectangle of the image that a table was made of.
-///
-/// @param sums     a table from summed_area
-/// @param first    lowest column and row
-/// @param last     highest column and row, they count too
-/// @return         what lies outside the image counts as 0, as does a rectangle with last < first
-/// @formula        S(last) - S(first.x - 1, last.y) - S(last.x, first.y - 1) + S(first - 1)
-/// @exactness      uint32_t A: exact while the rectangle's area times the greatest value < 2^32, even where sums of the
-///                 table have wrapped around. float B
-template <class T>
-[[nodiscard]] std::remove_const_t<T> box_sum(image_view<T> sums, glm::ivec2 first, glm::ivec2 last) {
-    const int left = first.x > 0 ? first.x : 0, right = last.x < sums.size.x ? last.x : sums.size.x - 1;
-    const int low = first.y > 0 ? first.y : 0, high = last.y < sums.size.y ? last.y : sums.size.y - 1;
-    if (left > right || low > high) return 0;
-    const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
-    return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
-}
-template <class T>
-[[nodiscard]] T box_sum(const image<T>& sums, glm::ivec2 first, glm::ivec2 last) {
-    return box_sum(sums.view(), first, last);
-}
-
-}  // namespace umbrage
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/moment_table.hpp
-// Summed-area tables of a shadow map's four moments, and visibility of whole images from them.
-//
-//     umbrage::moment_table of{.radius = 16};
-//     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, of);
-//     umbrage::visibility(table, of, receivers, 16, out);
-//
-// A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
-
-namespace umbrage {
-
-/// What a table is made for.
-struct moment_table {
-    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
-    glm::vec2 bias = msm_bias_16;
-    depth_direction direction = depth_direction::forward;
-};
-
-/// Sums of a map's moments for summed_moments.
-///
-/// @param map         depths; NaN counts as far
-/// @param of          the largest box, n texels of it within the map
-/// @return            two halves, each with one column and row more than the map: sums of 65535
-///                    to_optimized_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16,
-///                    and over 2^16
-/// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
-template <class ParallelFor = serial>
-[[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
-                                                    ParallelFor&& parallel = {}) {
-    constexpr auto function = "make_moment_table";
-    detail::require(!map.empty(), function, "map.size", "above 0", map.size);
-    detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
-    const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
-    const std::int64_t n =
-        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
-    detail::require(n <= 65537, function, "radius", "small enough for a box of 65537 texels", of.radius,
-                    "Sums in a larger box may reach 2^32.");
-
-    image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
-    const float cleared = cleared_depth(of.direction);
-    parallel(map.size.y, [&](int first, int last) {
-        for (int y = first; y < last; ++y)
-            for (int x = 0; x < map.size.x; ++x)
-                codes[{x, y}] =
-                    glm::u16vec4(to_optimized_moments(encode_msm(map.row(y)[x], cleared)) * 65535.0f + 0.5f);
-    });
-    image<std::uint32_t> channel(map.size), sums(map.size);
-    for (glm::length_t c = 0; c < 4; ++c) {
-        for (int y = 0; y < map.size.y; ++y)
-            for (int x = 0; x < map.size.x; ++x) channel[{x, y}] = codes[{x, y}][c];
-        summed_area(channel, sums, parallel);
-        for (int y = 0; y < map.size.y; ++y)
-            for (int x = 0; x < map.size.x; ++x) {
-                const std::uint32_t sum = sums[{x, y}];
-                table[{x + 1, y + 1}][c] = static_cast<std::uint16_t>(sum & 0xFFFF);
-                table[{map.size.x + x + 2, y + 1}][c] = static_cast<std::uint16_t>(sum >> 16);
-            }
-    }
-    return table;
-}
-
-/// Visibility from a table: summed_moments of each receiver.
-///
-/// @param table, of   from make_moment_table
-/// @param receivers   (x, y) in texels of the map, z depth, biased
-/// @param radius      of the box, at most the table's
-/// @param out         visibility, 1 lit; same size as receivers
-/// @param outside     bordered: outside the map all is lit; clamped: as at its edge
-/// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
-template <class ParallelFor = serial>
-void visibility(image_view<const glm::u16vec4> table, const moment_table& of, image_view<const glm::vec3> receivers,
-                int radius, image_view<float> out, ParallelFor&& parallel = {},
-                outside_map outside = outside_map::bordered) {
-    constexpr auto function = "visibility";
-    detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
-    detail::require(table.size.x >= 4 && table.size.x % 2 == 0 && table.size.y >= 2, function, "table.size",
-                    "that of a table of make_moment_table", table.size);
-    if (radius < 0 || radius > of.radius)
-        detail::refuse(function, "radius", std::string("from 0 to the table's, ").append(detail::printed(of.radius)),
-                       radius, "Make the table with this radius.");
-    const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
-    const auto reach = static_cast<float>(radius), cleared = cleared_depth(of.direction);
-    parallel(out.size.y, [&](int first, int last) {
-        for (int y = first; y < last; ++y)
-            for (int x = 0; x < out.size.x; ++x) {
-                const glm::vec3 r = receivers.row(y)[x];
-                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, cleared, outside);
-            }
-    });
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/overlay.hpp
-// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
-//
-//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
-//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
-//         return umbrage::false_color(s(depth));
-//     });
-//
-
-namespace umbrage {
-
-/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
-struct contrast_stretch {
-    float low = 0.0f, high = 1.0f;
-
-    [[nodiscard]] float operator()(float v) const {
-        if (is_nan(v) || v >= high) return 1.0f;
-        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
-    }
-};
-
-/// The range that a map's depths fill, without the texels that nothing was drawn to.
-///
-/// @param cleared   texels of this value are left out, as are NaN and the infinities
-/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
-/// @return      0..1 when no texel is left
-/// @throws std::invalid_argument  outliers out of range
-template <class = detail::on_use>
-[[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
-    detail::require(outliers >= 0.0 && outliers < 0.5, "stretch", "outliers", "0 or more and below 1/2", outliers);
-    std::vector<float> depths;
-    for (int y = 0; y < map.size.y && !map.empty(); ++y)
-        for (int x = 0; x < map.size.x; ++x)
-            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
-    if (depths.empty()) return {};
-    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
-    const auto ranked = [&](auto at) {
-        std::nth_element(depths.begin(), at, depths.end());
-        return *at;
-    };
-    return {ranked(depths.begin() + given_up), ranked(depths.end() - 1 - given_up)};
-}
-
-/// Where an overlay goes: the top left corner, as people see it.
-struct overlay_placement {
-    glm::ivec2 size{0, 0};                                ///< in texels of the picture; a zero takes the map's own side
-    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
-    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
-};
-
-/// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
-/// What does not fit is cut off.
-///
-/// @param color   float -> color, given the map's texels as they are: a float is a gray, a vec3 red, green and blue,
-///                all in [0, 1]
-/// @throws std::invalid_argument  negative size
-template <class Color>
-void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
-             Color&& color) {
-    detail::require(place.size.x >= 0 && place.size.y >= 0, "overlay", "place.size", "0 or more", place.size);
-    if (map.empty()) return;
-    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
-    const auto nearest = [](int i, double count, double from) {
-        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
-    };
-    const auto row_from_top = [](int y, int count, texture_origin origin) {
-        return origin == texture_origin::top ? y : count - 1 - y;
-    };
-    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
-        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
-        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
-        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
-            out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
-    }
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/light/adaptive/pages.hpp
 // Which pages of a light's root square a view needs, so that shadows are as fine as the screen, and which of an
 // atlas' slots hold them: pages stay where they are from frame to frame, those least recently needed are given up.
@@ -17960,6 +17333,168 @@ private:
     std::vector<glm::ivec2> free_;
 };
 
+}  // namespace umbrage
+
+// ---- umbrage/light/sweep.hpp
+// What receivers sweep on their way to the light, as casters have to lie in it: the hull of what the light sees of
+// them, and how near to the light a box of casters comes within it. What fits share.
+//
+
+namespace umbrage {
+namespace detail {
+
+/// Receivers, or a complaint in the name of a function whose argument they are.
+template <class Use = on_use>
+[[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
+    require(receivers.has_value(), function, "receivers", "given", "none");
+    require(is_finite(receivers->radius) && receivers->radius >= 0.0, function, "receivers",
+            "of a finite radius, 0 or more", receivers->radius);
+    for (const glm::dvec3& p : receivers->points) require(all_finite(p), function, "receivers", "finite", p);
+
+    return *receivers;
+}
+
+/// Points whose hull holds all receivers: in place of a ball the corners of its box.
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> corners_of(const hull& receivers) {
+    if (!(receivers.radius > 0.0)) return receivers.points;
+    std::vector<glm::dvec3> all;
+    for (const glm::dvec3& p : receivers.points)
+        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
+            all.push_back(c);
+    return all;
+}
+
+/// World to x, y and the distance along the light.
+template <real T>
+[[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
+    glm::dmat4 frame(view);
+    if (hand == handedness::right)
+        for (glm::length_t i = 0; i < 4; ++i) frame[i][2] = -frame[i][2];
+    return frame;
+}
+
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
+    std::vector<glm::dvec3> moved;
+    moved.reserve(points.size());
+    for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
+    return moved;
+}
+
+struct extent {
+    glm::dvec3 low{highest<double>}, high{-highest<double>};
+};
+template <class = on_use>
+[[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
+    extent e;
+    for (const glm::dvec3& p : points) e.low = lesser(e.low, p), e.high = greater(e.high, p);
+    return e;
+}
+
+/// Counter-clockwise, without what lies on an edge.
+/// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
+    std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
+    for (glm::dvec2& p : points) p += 0.0;  // zeros are all positive: what is equal has equal bits
+    std::sort(points.begin(), points.end(),
+              [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    // from b on: a and b may be one corner but for rounding, and (c - a) would then have lost their turn
+    const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+        return (b.x - a.x) * (c.y - b.y) <= (b.y - a.y) * (c.x - b.x);
+    };
+    for (const bool back : {false, true}) {
+        const std::size_t first = hull.size();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const glm::dvec2& p = points[back ? points.size() - 1 - i : i];
+            while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();  // the other side begins with it
+    }
+    return hull;
+}
+
+/// What the hull of points has in common with a half-space, as points around it: those inside, and of where the lines
+/// between them and the others cross the plane the outermost.
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points, const glm::dvec4& plane) {
+    const glm::dvec3 normal(plane), steep = glm::abs(normal);
+    const glm::length_t z = steep.x > steep.y ? (steep.x > steep.z ? 0 : 2) : (steep.y > steep.z ? 1 : 2);
+    const glm::length_t x = (z + 1) % 3, y = (z + 2) % 3;
+    const auto inside = [&](const glm::dvec3& p) { return glm::dot(normal, p) + plane.w; };
+    std::vector<glm::dvec3> kept, beyond, crossed;
+    for (const glm::dvec3& p : points) (inside(p) < 0.0 ? beyond : kept).push_back(p);
+    const auto keep_outermost = [&] {
+        if (crossed.size() < 3) return;
+        const std::vector<glm::dvec2> corners = convex_hull(crossed);
+        crossed.clear();
+        for (const glm::dvec2& c : corners) crossed.emplace_back(c, 0.0);
+    };
+    std::size_t enough = 1024;
+    for (const glm::dvec3& a : kept) {
+        for (const glm::dvec3& b : beyond) {
+            const glm::dvec3 p = a + (b - a) * (inside(a) / (inside(a) - inside(b)));
+            crossed.emplace_back(p[x], p[y], 0.0);
+        }
+        if (crossed.size() < enough) continue;
+        keep_outermost();
+        enough = 2 * crossed.size() + 1024;
+    }
+    keep_outermost();
+    for (const glm::dvec3& c : crossed) {
+        glm::dvec3 p;
+        p[x] = c.x, p[y] = c.y, p[z] = -(normal[x] * c.x + normal[y] * c.y + plane.w) / normal[z];
+        kept.push_back(p);
+    }
+    return kept;
+}
+
+/// A plane (a, b, 0, c) through each edge of a hull; none through edges between points that differ by rounding only, as
+/// their direction is arbitrary.
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull) {
+    std::vector<glm::dvec4> planes;
+    const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
+    double longest = 0.0;
+    for (std::size_t i = 0; i < hull.size(); ++i) longest = greater(longest, glm::distance(hull[i], end_of(i)));
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
+        if (glm::length(inwards) <= longest * 0x1p-32) continue;
+        planes.emplace_back(inwards, 0.0, -glm::dot(inwards, a));
+    }
+    return planes;
+}
+
+/// Planes around what points sweep, each point with the square of `outwards` around it. Squares keep the planes
+/// continuous while points move: sides moved outwards would jump where a corner of the hull splits in two.
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
+    const auto [low, high] = extent_of(seen);
+    // casters that touch a side are within it, whichever way it was rounded
+    const double around = detail::greater(outwards, 0x1p-32 * detail::greater(high.x - low.x, high.y - low.y));
+    std::vector<glm::dvec3> corners;
+    corners.reserve(4 * seen.size());
+    for (const glm::dvec3& p : seen)
+        for (const double x : {p.x - around, p.x + around})
+            for (const double y : {p.y - around, p.y + around}) corners.emplace_back(x, y, p.z);
+    return sides(convex_hull(corners));
+}
+
+/// The least distance along the light of a box's faces within planes; highest<double> where none is.
+template <class = on_use>
+[[nodiscard]] double nearest(const glm::dmat4& frame, const polyhedron& box, const std::vector<glm::dvec4>& planes) {
+    double least = highest<double>;
+    for (const polyhedron::face& face : box.faces()) {
+        std::vector<glm::dvec3> polygon = seen(frame, face.corners);
+        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
+        for (const glm::dvec3& p : polygon) least = lesser(least, p.z);
+    }
+    return least;
+}
+
+}  // namespace detail
 }  // namespace umbrage
 
 // ---- umbrage/light/adaptive/root.hpp
@@ -19137,6 +18672,400 @@ void visibility(image_view<const glm::u16vec4> table, const variance_table& of, 
                     summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, is_lit, outside);
             }
     });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/directional_fit.hpp
+// A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
+//
+//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene, .clip = clip});
+//     auto tight = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene, .clip = clip});
+//     auto still = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = {1024, 1024},
+//          .clip = clip});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct directional_fit {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
+    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
+    glm::ivec2 snap_texels{0};                    ///< size of a map whose texels stay where they are; 0: not snapped
+    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
+};
+
+namespace detail {
+
+/// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
+struct light_box {
+    glm::dvec2 half, middle;
+    double z_near, z_far;
+};
+
+/// The map of whole square texels around a box, a texel wider, and depths in steps of its longer side.
+[[nodiscard]] inline light_box snapped(const light_box& box, glm::ivec2 texels) {
+    const glm::dvec2 n(texels), halves = box.half / (n - 1.0);
+    const double half_texel = greater(halves.x, halves.y), side = 2.0 * half_texel * greater(n.x, n.y);
+    const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
+    const double z_near = std::floor(box.z_near / side) * side;
+    return {half_texel * n, first * (2.0 / n) + 1.0, z_near,
+            z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
+}
+
+/// fit_directional_light in the name of another function, whose arguments give the box's sides and depths.
+template <real T>
+[[nodiscard]] light_space<T> fit_directional(const directional_fit<T>& fit, const char* function, const char* sides,
+                                             const char* depths) {
+    require_given(fit.clip, function);
+    const hull& lit = given(fit.receivers, function);
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
+    const bool snaps = fit.snap_texels != glm::ivec2(0);
+    require(!snaps || (fit.snap_texels.x > 1 && fit.snap_texels.y > 1), function, "snap_texels", "0 or above 1",
+            fit.snap_texels);
+    if (fit.casters) require_box(*fit.casters, function, "casters");
+
+    light_space<T> space{
+        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
+    const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
+    const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
+    const hull& receivers = lit.points.empty() ? box_of_casters : lit;
+    const auto points = seen(frame, receivers.points);
+    const auto [low, high] = extent_of(points);
+    const auto [first, last] = extent_of(receivers.points);
+    const double radius = receivers.radius;
+    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
+    light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
+    if (fit.casters && snaps) {
+        const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
+        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
+    } else if (fit.casters) {
+        const auto swept = sweep(points, around);
+        box.z_near = detail::lesser(box.z_near, nearest(frame, *fit.casters, swept) - margin);
+    }
+    if (snaps) box = snapped(box, fit.snap_texels);
+
+    glm::dmat4 projection = orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
+    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        require(is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
+                "such that the box's size is neither too large nor too small",
+                glm::dvec3(2.0 * box.half, box.z_far - box.z_near));
+    return checked(space, function, depths);
+}
+
+}  // namespace detail
+
+/// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
+/// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
+/// there; for a sphere's sweep stands that of its square.
+///
+/// With snap_texels the box has the map's aspect, so that texels are squares of the world, and is a texel wider. Its
+/// texels lie on a grid of the world wherever the receivers move, as long as their extent keeps its bits: a sphere's
+/// does. Its depths then span the casters' whole box, and go beyond it in steps of the box's longer side. For a grid
+/// that keeps its place to a hundredth of a texel far from the origin, fit in double and take the texture matrix of an
+/// origin.
+///
+/// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
+/// or of one around the origin.
+///
+/// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
+///                                box, a negative margin, and what gives matrices that are not finite
+/// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
+template <real T = float>
+[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
+    return detail::fit_directional(fit, "fit_directional_light", "receivers and margin",
+                                   "receivers, casters and margin");
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/cascades/cascades.hpp
+// Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
+//
+//     const umbrage::cascade_fit<float> fit{
+//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f, .clip = clip};
+//     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
+//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
+//     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
+//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
+//
+// Far from the world's origin fit in double, and draw and look up relative_to(cascades, origin).
+
+namespace umbrage {
+
+/// One part of the camera's range and its map.
+template <real T>
+struct cascade {
+    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for all
+    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
+    T begin = T(0), end = T(0);                ///< distances along the camera's axis
+};
+
+template <real T = float>
+struct cascade_fit {
+    frustum<T> camera{};                           ///< of any kind; but for its planes, in place of which are splits
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
+    glm::ivec2 map_size{1024};                     ///< of each cascade, texels
+    T margin = T(2);                               ///< texels around: the filter's reach
+    T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
+    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
+};
+
+namespace detail {
+
+[[nodiscard]] inline int shorter_side(glm::ivec2 size) { return size.x < size.y ? size.x : size.y; }
+
+/// A fitted light, whose view is a rotation, as a cascade.
+template <real T>
+[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, glm::ivec2 map_size, const char* function) {
+    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, map_size);
+    const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
+    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
+                       glm::vec<4, T>(offset)};
+    const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
+    require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
+            "such that a cascade is neither too large nor too small", c.scale);
+    return c;
+}
+
+/// The camera's parts between splits, with what they overlap.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
+                                                              const std::array<T, Count + 1>& splits,
+                                                              const char* function) {
+    require_given(fit.clip, function);
+    require_given(fit.scene, function, "scene");
+    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits[0]", "finite, 0 or more", splits[0]);
+    for (std::size_t i = 0; i < Count; ++i)
+        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits",
+                "finite and in ascending order", glm::vec<2, T>(splits[i], splits[i + 1]));
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "finite, 0 or more", fit.margin);
+    require(double(shorter_side(fit.map_size)) - 2 * double(fit.margin) > 1, function, "map_size", "above 2 margin + 1",
+            fit.map_size);
+    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "from 0 to 1", fit.overlap);
+    std::array<frustum<double>, Count> parts;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
+        parts[i] = in_double(fit.camera);
+        parts[i].z_near = double(splits[i]) - double(fit.overlap) * before, parts[i].z_far = double(splits[i + 1]);
+        require_frustum(parts[i], function, "camera");
+    }
+    return parts;
+}
+
+/// What a part sees of a scene; where that is nothing, all of the part.
+template <class = on_use>
+[[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
+    const polyhedron seen = intersection(part, scene);
+    return seen.empty() ? hull(part) : hull(seen);
+}
+
+/// A directional light with depths of a whole scene, and a little beyond it.
+template <real T>
+[[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
+                                                 const char* function) {
+    const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
+    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes have some depth too
+    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
+                                           function, "", "low and high of scene");
+    light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
+    return light;
+}
+
+/// A margin in texels as a share of what a map holds within it.
+template <real T>
+[[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
+    return double(fit.margin) / (shorter_side(fit.map_size) - 2 * double(fit.margin));
+}
+
+/// A cascade for each part, of light(frustum) in double.
+template <std::size_t Count, real T, class Light>
+[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
+                                                          const std::array<T, Count + 1>& splits, const char* function,
+                                                          Light&& light) {
+    const auto parts = camera_parts<Count>(fit, splits, function);
+    std::array<cascade<T>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
+        all[i].begin = splits[i];
+        all[i].end = splits[i + 1];
+    }
+    return all;
+}
+
+}  // namespace detail
+
+/// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
+/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
+/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each. Texels
+/// are squares of the world, whatever the map's sides; the shorter one decides their size.
+///
+/// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
+/// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
+/// else in float 2^-14 of a texel on maps of 1024, which may move a filter's weights by a step of 1/256. Draw depths
+/// from rotated points by the projection alone. In float, one matrix for both may move points by a hundredth of a
+/// texel.
+///
+/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
+/// @return         the nearest first, from split to split
+/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range; what sphere_around and
+///                                fit_directional_light complain of; and what gives matrices that are not finite
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
+                                                                 const std::array<T, Count + 1>& splits) {
+    constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
+    auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
+        const double around = double(fit.margin);
+        const auto light =
+            detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                             .up = glm::dvec3(fit.up),
+                                             .receivers = sphere_around(part),
+                                             .margin = around / (detail::shorter_side(fit.map_size) - 1 - 2 * around),
+                                             .snap_texels = fit.map_size,
+                                             .clip = fit.clip},
+                                            function, sides, depths);
+        return detail::with_depths_of(light, fit.scene, function);
+    });
+    for (cascade<T>& c : all)
+        for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
+    return all;
+}
+
+/// Cascades of the greatest resolution: each map holds what its part of the camera's frustum has in common with the
+/// scene, and no more; where that is nothing, its part of the frustum. Texels change their size and place as the camera
+/// moves. The rest as for make_stable_cascades; the margin is that many texels or more.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
+                                                                const std::array<T, Count + 1>& splits) {
+    constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
+    return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
+        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
+        return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                .up = glm::dvec3(fit.up),
+                                                .receivers = detail::receivers_of(part, scene),
+                                                .casters = scene,
+                                                .margin = detail::margin_share(fit),
+                                                .clip = fit.clip},
+                                               function, sides, depths);
+    });
+}
+
+/// Cascades for points relative to an origin near the camera, which may be another each frame: see texture_matrix.
+/// @throws std::invalid_argument  what is not finite in float
+template <std::size_t Count>
+[[nodiscard]] std::array<cascade<float>, Count> relative_to(const std::array<cascade<double>, Count>& cascades,
+                                                            glm::dvec3 origin) {
+    std::array<cascade<float>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const cascade<double>& c = cascades[i];
+        const glm::vec4 offset(c.scale * (c.light.view * glm::dvec4(origin, 0.0)) + c.offset);
+        detail::require(detail::all_finite(offset), "relative_to", "origin", "such that offsets are finite", origin);
+        all[i] = {relative_to(c.light, origin), glm::vec4(c.scale), offset, float(c.begin), float(c.end)};
+    }
+    return all;
+}
+
+/// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
+template <real T>
+struct cascade_uniforms {
+    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's directions, for shadow_coordinate
+    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< columns: a cascade's each; w: of cascade_fade
+    glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
+};
+
+namespace detail {
+
+/// Scale and offset of a cascade's cascade_fade; zeros where nothing fades.
+template <real T>
+[[nodiscard]] glm::vec<2, T> fade_of(T begin, T end, T fade) {
+    const T width = fade * (end - begin);
+    return width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
+}
+
+template <real T>
+void require_fade(T fade) {
+    require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
+}
+
+/// How many threes hold the ends of cascades but the last.
+template <std::size_t Count>
+inline constexpr std::size_t ends_groups = Count < 3 ? 1 : (Count + 1) / 3;
+
+/// The ends of cascades but the last, three at a time, filled up with the highest number.
+template <real T, class Cascade, std::size_t Count>
+[[nodiscard]] std::array<glm::vec<3, T>, ends_groups<Count>> ends_of(const std::array<Cascade, Count>& cascades) {
+    std::array<glm::vec<3, T>, ends_groups<Count>> ends;
+    ends.fill(glm::vec<3, T>(highest<T>));
+    for (std::size_t i = 0; i + 1 < Count; ++i) ends[i / 3][static_cast<glm::length_t>(i % 3)] = cascades[i].end;
+    return ends;
+}
+
+/// Scales and offsets of up to four cascades; what is not there holds no point.
+template <real T>
+void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>& scales, glm::mat<4, 4, T>& offsets) {
+    scales = offsets = glm::mat<4, 4, T>(T(0));
+    for (glm::length_t i = 0; i < 4; ++i) {
+        if (static_cast<std::size_t>(i) >= cascades.size()) {
+            offsets[i] = {T(65536), T(65536), T(0), T(0)};
+            continue;
+        }
+        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
+        const glm::vec<2, T> fades = fade_of(c.begin, c.end, fade);
+        scales[i] = glm::vec<4, T>(glm::vec<3, T>(c.scale), fades.x);
+        offsets[i] = glm::vec<4, T>(glm::vec<3, T>(c.offset), fades.y);
+    }
+}
+
+}  // namespace detail
+
+/// Uniforms of up to four cascades, as cascade_column and cascade_by_projection take them. Warped cascades have a matrix
+/// each: warped.hpp.
+/// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
+///               overlap must have been asked for
+/// @return       where there are fewer than four, nothing falls into the others by depth or by projection
+/// @throws std::invalid_argument  fade out of range
+template <real T, std::size_t Count>
+requires(Count >= 1 && Count <= 4)
+    [[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
+    detail::require_fade(fade);
+    cascade_uniforms<T> u;
+    u.rotation = cascades[0].light.view;
+    u.ends = detail::ends_of<T>(cascades)[0];
+    detail::set_columns<T>(cascades, fade, u.scales, u.offsets);
+    return u;
+}
+
+/// What a shader of five and more cascades takes, in groups of four: cascade_column_8 and cascade_by_projection_8.
+template <real T, std::size_t Count>
+struct grouped_cascade_uniforms {
+    glm::mat<4, 4, T> rotation{T(1)};                                ///< as cascade_uniforms has it
+    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< of four cascades each, as there
+    /// Of the cascades but the last, three at a time: the sum of cascade_by_depth over them is a cascade's number.
+    std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
+};
+
+/// Uniforms of five and more cascades: their first four are those of cascade_uniforms. The rest as there.
+template <real T, std::size_t Count>
+requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascade_uniforms(
+    const std::array<cascade<T>, Count>& cascades, T fade) {
+    detail::require_fade(fade);
+    grouped_cascade_uniforms<T, Count> u;
+    u.rotation = cascades[0].light.view;
+    u.ends = detail::ends_of<T>(cascades);
+    for (std::size_t i = 0; i < u.scales.size(); ++i)
+        detail::set_columns<T>(std::span(cascades).subspan(4 * i), fade, u.scales[i], u.offsets[i]);
+    return u;
 }
 
 }  // namespace umbrage
@@ -23102,7 +23031,7 @@ template <class Use = umbrage::detail::on_use>
             .add_all({exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
                       hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets})
             // bias, shade, view
-            .add_all({light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets, kernel_snippets,
+            .add_all({light_units_snippets, constant_snippets, slope_snippets, distance_slope_snippets, normal_offset_snippets, kernel_snippets,
                       receiver_plane_snippets, acne_free_snippets})
             .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets})
             .members();
@@ -23885,7 +23814,8 @@ struct map_grid {
 
 /// How a light's maps are set up. `uniforms` holds mat4s and vec4s alone, in the order of `fields`, so that C++,
 /// std140, cbuffers, WGSL and Metal lay it out alike. `visibility` and `text` are twins: C++ calls look(place) where
-/// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
+/// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose. One whose lights do
+/// not draw each into a map of its own has draw(depths, mesh, parallel); one that bends lines, bent_lines `bends`.
 template <class SetUp>
 concept shadow_set_up = std::copyable<SetUp> &&
     requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,
@@ -23902,6 +23832,12 @@ concept shadow_set_up = std::copyable<SetUp> &&
     {std::span<const glsl::snippet* const>(SetUp::needs)};
 };
 
+/// Maps that bend straight lines and planes: contact hardening, which compares along planes, does not go with them.
+struct bent_lines {
+    float reach = 0;  ///< texels that places are off by
+    float error = 0;  ///< and depths
+};
+
 /// The set-up that a light is given to a shadow as: itself, unless its header says otherwise.
 template <class Light>
 struct set_up_for {
@@ -23916,6 +23852,12 @@ consteval bool has_fields() {
     std::size_t vectors = 0;
     for (const uniform_field& f : SetUp::fields) vectors += f.vectors();
     return vectors * sizeof(glm::vec4) == sizeof(typename SetUp::uniforms);
+}
+
+template <class SetUp>
+[[nodiscard]] constexpr bent_lines bends_of() {
+    if constexpr (requires { SetUp::bends; }) return SetUp::bends;
+    else return {};
 }
 
 /// A map's first texel in the image of all.
@@ -23938,7 +23880,7 @@ template <real T>
 }  // namespace umbrage
 
 // ---- umbrage/shadow/cascaded_maps.hpp
-// Cascades of a directional light, up to four: a map each, the first that holds a receiver and its filter, and near its
+// Cascades of a directional light, up to eight: a map each, the first that holds a receiver and its filter, and near its
 // border a blend with the next.
 //
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
@@ -23948,27 +23890,73 @@ template <real T>
 
 namespace umbrage {
 
+namespace detail {
+
+/// Uniforms of up to four cascades.
+template <int Groups>
+struct cascade_block {
+    glm::mat4 rotation;         ///< world to the light's directions
+    glm::mat4 scales, offsets;  ///< columns: a cascade's each, as cascade_by_projection takes them
+    glm::vec4 blending{0};      ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last one's number
+
+    static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
+    static constexpr std::string_view find = "cascade_by_projection(light, scales, offsets", column = "cascade_column";
+    static constexpr std::string_view all_scales = "scales", all_offsets = "offsets";
+    static constexpr const glsl::snippet &finder = glsl::cascade_by_projection, &picker = glsl::cascade_column;
+
+    [[nodiscard]] glm::vec4 found(glm::vec3 light, const shadow_terms& terms) const {
+        return cascade_by_projection(light, scales, offsets, terms.map_size, terms.reach);
+    }
+    [[nodiscard]] glm::vec4 scale(float number) const { return cascade_column(scales, number); }
+    [[nodiscard]] glm::vec4 offset(float number) const { return cascade_column(offsets, number); }
+    void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) { scales[i] = scale, offsets[i] = offset; }
+};
+/// Of five to eight.
+template <>
+struct cascade_block<2> {
+    glm::mat4 rotation, scales, offsets;        ///< of the first four
+    glm::mat4 farther_scales, farther_offsets;  ///< of the others
+    glm::vec4 blending{0};
+
+    static constexpr uniform_field fields[]{{"rotation"},       {"scales"},          {"offsets"},
+                                            {"farther_scales"}, {"farther_offsets"}, {"blending", false}};
+    static constexpr std::string_view find =
+        "cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets";
+    static constexpr std::string_view column = "cascade_column_8";
+    static constexpr std::string_view all_scales = "scales, farther_scales", all_offsets = "offsets, farther_offsets";
+    static constexpr const glsl::snippet &finder = glsl::cascade_by_projection_8, &picker = glsl::cascade_column_8;
+
+    [[nodiscard]] glm::vec4 found(glm::vec3 light, const shadow_terms& terms) const {
+        return cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, terms.map_size,
+                                       terms.reach);
+    }
+    [[nodiscard]] glm::vec4 scale(float number) const { return cascade_column_8(scales, farther_scales, number); }
+    [[nodiscard]] glm::vec4 offset(float number) const { return cascade_column_8(offsets, farther_offsets, number); }
+    void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) {
+        (i < 4 ? scales : farther_scales)[i % 4] = scale, (i < 4 ? offsets : farther_offsets)[i % 4] = offset;
+    }
+};
+
+}  // namespace detail
+
+/// @tparam Groups   of four cascades: 1 or 2
+template <int Groups = 1>
 struct cascaded_maps {
     std::vector<cascade<double>> cascades;
     float blend_texels;  ///< width of the band along a map's border in which the next one takes over; 0: none
 
-    /// @throws std::invalid_argument  blend_texels negative or not finite
+    /// @throws std::invalid_argument  blend negative or not finite
     template <real T, std::size_t Count>
     explicit cascaded_maps(const std::array<cascade<T>, Count>& all, float blend = 16.0f) : blend_texels(blend) {
-        static_assert(Count >= 1 && Count <= 4, "a shadow takes one to four cascades");
+        static_assert(Count >= 1 && Count <= 8, "a shadow takes one to eight cascades");
         detail::require(is_finite(blend) && blend >= 0.0f, "cascaded_maps", "blend", "finite, 0 or more", blend);
         for (const cascade<T>& c : all)
             cascades.push_back({detail::in_double(c.light), glm::dvec4(c.scale), glm::dvec4(c.offset), c.begin, c.end});
     }
 
-    struct uniforms {
-        glm::mat4 rotation;         ///< world to the light's directions
-        glm::mat4 scales, offsets;  ///< columns: a cascade's each, as cascade_by_projection takes them
-        glm::vec4 blending{
-            0};  ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last cascade's number
-    };
-    static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
-    static constexpr map_grid grid{2, 2};
+    using uniforms = detail::cascade_block<Groups>;
+    static constexpr const auto& fields = uniforms::fields;
+    static constexpr map_grid grid{2, 2 * Groups};
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
@@ -23981,13 +23969,14 @@ struct cascaded_maps {
     [[nodiscard]] uniforms make_uniforms(glm::ivec2, glm::dvec3 origin) const {
         const glm::dmat4 rotation = cascades.front().light.view;
         const glm::dvec3 start(rotation * glm::dvec4(origin, 1.0));
-        uniforms u{glm::mat4(glm::dmat4(glm::dmat3(rotation))), glm::mat4(0), glm::mat4(0), glm::vec4(0)};
-        for (glm::length_t i = 0; i < 4; ++i) {
-            u.offsets[i] = {65536.0f, 65536.0f, 0.0f, 0.0f};  // nothing falls into a cascade that is not there
+        uniforms u{};
+        u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
+        for (glm::length_t i = 0; i < 4 * Groups; ++i) {
+            u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // holds nothing where there is no cascade
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
             const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
-            u.scales[i] = c.scale;
-            u.offsets[i] = glm::dvec4(glm::dvec3(c.offset) + start * glm::dvec3(c.scale), 0.0);
+            const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);
+            u.set(i, glm::vec4(c.scale), glm::vec4(glm::dvec4(offset, 0.0)));
         }
         u.blending = {blend_texels > 0.0f ? 1.0f / blend_texels : 0.0f, static_cast<float>(cascades.size() - 1), 0, 0};
         return u;
@@ -23997,39 +23986,45 @@ struct cascaded_maps {
     [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms& terms, glm::vec3 world,
                                           glm::vec3 normal, const Look& look) {
         const glm::vec3 light(shadow_coordinate(u.rotation, world)), across(shadow_coordinate(u.rotation, normal));
-        const glm::vec4 found = cascade_by_projection(light, u.scales, u.offsets, terms.map_size, terms.reach);
+        const glm::vec4 found = u.found(light, terms);
         const float last = u.blending.y, number = found.w < last ? found.w : last;
-        const glm::vec4 scale = cascade_column(u.scales, number);
+        const glm::vec4 scale = u.scale(number);
         const float nearer = look(map_place{int(number), glm::vec3(found), cascade_slope(across, scale)});
         const float weight = u.blending.x > 0.0f && found.w <= last
                                  ? cascade_border_fade(glm::vec2(found), terms.map_size, terms.reach, u.blending.x)
                                  : 0.0f;
         if (!(weight > 0.0f)) return nearer;
         const float next = number + 1.0f < last ? number + 1.0f : last;
-        const glm::vec4 next_scale = cascade_column(u.scales, next);
-        const glm::vec3 at = cascade_coordinate(light, next_scale, cascade_column(u.offsets, next));
+        const glm::vec4 next_scale = u.scale(next);
+        const glm::vec3 at = cascade_coordinate(light, next_scale, u.offset(next));
         const float farther = number < last ? look(map_place{int(next), at, cascade_slope(across, next_scale)}) : 1.0f;
         return blend_cascades(nearer, farther, weight);
     }
     [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
+        const auto column = [](std::string_view all, std::string_view number) {
+            return std::string("umbrage_").append(uniforms::column) + '(' + std::string(all) + ", " +
+                   std::string(number) + ')';
+        };
         return R"GLSL(
     UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, world);
     UMBRAGE_HIGHP vec4 across = umbrage_shadow_coordinate(rotation, normal);
     UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
     UMBRAGE_HIGHP vec3 normal_there = vec3(across.x, across.y, across.z);
     UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
-    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    UMBRAGE_HIGHP vec4 found = umbrage_)GLSL" +
+               std::string(uniforms::find) + R"GLSL(, size, terms.z);
     UMBRAGE_HIGHP float number = min(found.w, blending.y);
-    UMBRAGE_HIGHP vec4 scale = umbrage_cascade_column(scales, number);
-)GLSL" + choice.first("number") +
+    UMBRAGE_HIGHP vec4 scale = )GLSL" +
+               column(uniforms::all_scales, "number") + ";\n" + choice.first("number") +
                R"GLSL(    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(normal_there, scale);
     UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope);
     UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
     UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
     UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
-    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column(scales, next);
-    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
-)GLSL" + choice.again("next") +
+    UMBRAGE_HIGHP vec4 next_scale = )GLSL" +
+               column(uniforms::all_scales, "next") + R"GLSL(;
+    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, )GLSL" +
+               column(uniforms::all_offsets, "next") + ");\n" + choice.again("next") +
                R"GLSL(    UMBRAGE_HIGHP float farther = 1.0;
     if (weight > 0.0 && number < blending.y) {
         farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale));
@@ -24038,13 +24033,16 @@ struct cascaded_maps {
 )GLSL";
     }
     static constexpr const auto& needs =
-        glsl::list<&glsl::shadow_coordinate, &glsl::cascade_by_projection, &glsl::cascade_column, &glsl::cascade_slope,
+        glsl::list<&glsl::shadow_coordinate, &uniforms::finder, &uniforms::picker, &glsl::cascade_slope,
                    &glsl::cascade_coordinate, &glsl::cascade_border_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
 };
 
 template <real T, std::size_t Count>
+cascaded_maps(const std::array<cascade<T>, Count>&, float = 0) -> cascaded_maps<(Count > 4 ? 2 : 1)>;
+
+template <real T, std::size_t Count>
 struct set_up_for<std::array<cascade<T>, Count>> {
-    using type = cascaded_maps;
+    using type = cascaded_maps<(Count > 4 ? 2 : 1)>;
 };
 
 }  // namespace umbrage
@@ -24385,6 +24383,8 @@ class shadow {
 public:
     using texel = typename Encoding::texel;
     using uniforms_type = shadow_uniforms<SetUp>;
+    static_assert(!detail::contact_hardening<Filter> || detail::bends_of<SetUp>().reach == 0.0f,
+                  "contact hardening compares along planes, which paraboloids bend: take another set-up, or a disc");
     static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
 
     /// @param light      a light_space, an array of cascades, a point_light, or a set-up of your own
@@ -24428,11 +24428,14 @@ public:
     template <class ParallelFor = serial>
     void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
         detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
-        const auto lights = set_up_.lights();
-        for (std::size_t i = 0; i < lights.size(); ++i)
-            rasterize_depth(depths.region(detail::first_texel(int(i), SetUp::grid, map_size_), map_size_), mesh,
-                            glm::mat4(lights[i].projection * lights[i].view), lights[i].clip, cull_mode::none,
-                            parallel);
+        if constexpr (requires { set_up_.draw(depths, mesh, parallel); }) set_up_.draw(depths, mesh, parallel);
+        else {
+            const auto lights = set_up_.lights();
+            for (std::size_t i = 0; i < lights.size(); ++i)
+                rasterize_depth(depths.region(detail::first_texel(int(i), SetUp::grid, map_size_), map_size_), mesh,
+                                glm::mat4(lights[i].projection * lights[i].view), lights[i].clip, cull_mode::none,
+                                parallel);
+        }
     }
 
     /// Makes the map's texels of drawn depths; blur a prefilter's afterwards (blur.hpp), map by map.
@@ -24476,12 +24479,13 @@ public:
     ///                camera's place, and the light in double
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
         const float size = static_cast<float>(detail::greater(map_size_.x, map_size_.y));
-        const float more = rasterizer_snap<float> + 0x1p-24f * size;  // of the rasterizer, and a coordinate's rounding
+        constexpr bent_lines bends = detail::bends_of<SetUp>();
+        const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // beside it a coordinate's rounding
         const decoding_error both = encoding_.error();
         const double error = encoding_.direction == depth_direction::forward ? both.below : both.above;
         return {set_up_.make_uniforms(map_size_, frame.origin),
-                {glm::vec2(map_size_), detail::reach_of(filter_) + more, static_cast<float>(error) + 0x1p-22f,
-                 detail::terms_of(filter_, more)}};
+                {glm::vec2(map_size_), detail::reach_of(filter_) + more,
+                 static_cast<float>(error) + 0x1p-22f + bends.error, detail::terms_of(filter_, more)}};
     }
 
 private:
@@ -24630,6 +24634,185 @@ template <class SetUp, class Filter, class Encoding>
 }
 
 }  // namespace umbrage::glsl
+
+// ---- umbrage/shadow/paraboloid_maps.hpp
+// Two maps around a point light, a paraboloid's image of either half of all directions in each (dual paraboloid shadow
+// maps). Two passes in place of six, of meshes that are cut finely; distances in place of depths.
+//
+//     const umbrage::dual_paraboloid_light<float> bulb{.position = p, .range = 30, .border = 3, .clip = clip};
+//     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+struct paraboloid_maps {
+    dual_paraboloid_light<double> light;
+
+    template <real T>
+    explicit paraboloid_maps(const dual_paraboloid_light<T>& l)
+        : light{glm::dvec3(l.position), l.range, l.map_size, l.border, l.clip} {
+        static_cast<void>(make_dual_paraboloid_light(light));  // refuses what cannot be
+    }
+
+    struct uniforms {
+        glm::vec4
+            position;      ///< of the light; w: change of depth a unit of distance, 1 / range or, reversed, -1 / range
+        glm::vec4 halves;  ///< x: map_size - 2 border; y: border; z: slope a texel; w: depth at the light
+    };
+    static constexpr uniform_field fields[]{{"position", false}, {"halves", false}};
+    static constexpr map_grid grid{2, 1};
+    static constexpr outside_map outside = outside_map::clamped;
+    static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
+    static constexpr bent_lines bends{tessellation_reach<float>, 1.0f / 4096.0f};
+
+    [[nodiscard]] clip_space clip() const { return light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const { return {2, make_dual_paraboloid_light(light)}; }
+    template <class ParallelFor>
+    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel) const {
+        const light_space<double> space = make_dual_paraboloid_light(light);
+        const light_space<float> single{glm::mat4(space.view), glm::mat4(space.projection), space.clip};
+        const auto cut = tessellate(mesh, {.position = glm::vec3(light.position),
+                                           .angle = float(paraboloid_edge_angle(light.map_size, light.border)),
+                                           .range = float(light.range),
+                                           .depth_error = bends.error});
+        const glm::ivec2 size(light.map_size);
+        for (const int map : {0, 1})
+            rasterize_dual_paraboloid(depths.region({map * size.x, 0}, size), cut.view(), single, map, parallel);
+    }
+    /// @throws std::invalid_argument  map_size other than the light's
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the paraboloid light's");
+        const double inner = light.map_size - 2 * light.border;
+        const bool forward = light.clip.direction == depth_direction::forward;
+        return {glm::vec4(glm::dvec4(light.position - origin, (forward ? 1.0 : -1.0) / light.range)),
+                glm::vec4(glm::dvec4(inner, light.border, 2.0 / (light.range * inner), forward ? 0.0 : 1.0))};
+    }
+
+    template <class Look>
+    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
+                                          const Look& look) {
+        const glm::vec3 way = world - glm::vec3(u.position), found = dual_paraboloid_coordinate(way);
+        const glm::vec2 at = glm::vec2(found) * u.halves.x + u.halves.y;
+        const float depth = distance_depth(way, u.position.w) + u.halves.w;
+        return look(map_place{int(found.z), glm::vec3(at, depth), dual_paraboloid_slope(way, normal, u.halves.z)});
+    }
+    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
+        return R"GLSL(
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP vec3 found = umbrage_dual_paraboloid_coordinate(way);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 at = vec2(found.x, found.y) * halves.x + halves.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = umbrage_distance_depth(way, position.w) + halves.w;
+    UMBRAGE_HIGHP vec2 slope = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+)GLSL" + choice.first("found.z") +
+               "    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, depth), slope);\n";
+    }
+    static constexpr const auto& needs = glsl::list<&glsl::dual_paraboloid_coordinate, &glsl::distance_depth,
+                                                    &glsl::dual_paraboloid_slope, &glsl::cascade_tile>;
+};
+
+template <real T>
+struct set_up_for<dual_paraboloid_light<T>> {
+    using type = paraboloid_maps;
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/shadow/tetrahedron_map.hpp
+// Four maps around a point light in one square: fewer views than a cube, and texels of less even size.
+//
+//     const umbrage::tetrahedron_light<float> bulb{.position = p, .map_size = 1024, .border = 3, .clip = clip};
+//     umbrage::shadow lamp(bulb, {1024, 1024}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+struct tetrahedron_map {
+    tetrahedron_light<double> light;
+
+    template <real T>
+    explicit tetrahedron_map(const tetrahedron_light<T>& l)
+        : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
+        static_cast<void>(make_tetrahedron_light(light));  // refuses what cannot be
+    }
+
+    struct uniforms {
+        glm::vec4 position;   ///< of the light; w: half the map's size
+        glm::mat4 to_texels;  ///< from a face's axes, as tetrahedron_face_point has them, to face 0's triangle, texels
+                              ///< from the map's middle
+        glm::mat4 planes;     ///< plane_matrix of that
+    };
+    static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
+    static constexpr map_grid grid{};
+    static constexpr outside_map outside = outside_map::clamped;
+    static constexpr glsl::map_choice tiles{};
+
+    [[nodiscard]] clip_space clip() const { return light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const {
+        const auto faces = make_tetrahedron_light(light);
+        return {faces.begin(), faces.end()};
+    }
+    template <class ParallelFor>
+    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel) const {
+        std::array<light_space<float>, 4> faces;
+        const auto all = lights();
+        for (std::size_t i = 0; i < 4; ++i)
+            faces[i] = {glm::mat4(all[i].view), glm::mat4(all[i].projection), all[i].clip};
+        rasterize_tetrahedron(depths, mesh, faces, cull_mode::none, parallel);
+    }
+    /// @throws std::invalid_argument  map_size other than the light's
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the tetrahedron light's");
+        const glm::dmat4 projection = make_tetrahedron_light(light)[0].projection;
+        const double half = 0.5 * light.map_size, scale = half - 3.0 * light.border, base = light.border - half;
+        const double up = -std::sqrt(1.0 / 3.0), away = std::sqrt(2.0 / 3.0);    // of the face's normal
+        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // of view z, in front of a face
+        glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
+        if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
+        const double side = scale / std::sqrt(6.0);  // (aside, away) / (2 away - sqrt(2) up), of sqrt(6) w
+        glm::dmat4 m(0);
+        m[0][0] = side;
+        m[1] = {0.0, base * up, depth.x * up, up};
+        m[2] = {0.0, side + base * away, depth.x * away, away};
+        m[3][2] = depth.y;
+        return {glm::vec4(glm::dvec4(light.position - origin, half)), glm::mat4(m), glm::mat4(plane_matrix(m))};
+    }
+
+    [[nodiscard]] static map_place place(const uniforms& u, glm::vec3 world, glm::vec3 normal) {
+        const glm::vec3 way = world - glm::vec3(u.position);
+        const int face = tetrahedron_face(way);
+        const glm::vec3 there = tetrahedron_face_point(face, way), across = tetrahedron_face_point(face, normal);
+        const glm::vec3 on_first = project_coordinate(shadow_coordinate(u.to_texels, there));
+        const glm::vec2 at = tetrahedron_turned(face, glm::vec2(on_first)) + u.position.w;
+        return {0, glm::vec3(at, on_first.z), tetrahedron_turned(face, receiver_slope(u.planes, across, there))};
+    }
+    template <class Look>
+    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
+                                          const Look& look) {
+        return look(place(u, world, normal));
+    }
+    [[nodiscard]] static std::string text(const glsl::map_choice&) {
+        return R"GLSL(
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
+    UMBRAGE_HIGHP vec3 there = umbrage_tetrahedron_face_point(face, way);
+    UMBRAGE_HIGHP vec3 across = umbrage_tetrahedron_face_point(face, normal);
+    UMBRAGE_HIGHP vec3 on_first = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(on_first.x, on_first.y)) + position.w;
+    UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, umbrage_receiver_slope(planes, across, there));
+    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, on_first.z), slope);
+)GLSL";
+    }
+    static constexpr const auto& needs =
+        glsl::list<&glsl::tetrahedron_face, &glsl::tetrahedron_face_point, &glsl::tetrahedron_turned,
+                   &glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
+};
+
+template <real T>
+struct set_up_for<tetrahedron_light<T>> {
+    using type = tetrahedron_map;
+};
+
+}  // namespace umbrage
 
 // ---- umbrage/umbrage.hpp
 // All of umbrage: the primitives, functions over whole images, the texts of snippets. Includes only.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Shadows in shaders: a cascaded sun, a spot packed into bytes, one under a comparison sampler and a cube in one; soft
-// shadows and prefiltered maps in another. OpenGL and C++ have to say the same of each receiver.
+// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third. OpenGL and C++ have to say the same of each receiver.
 //
 //     shadows_in_gl          prints how many receivers differ, in each dialect; 1 when some do
 //     shadows_in_gl --fault  one number of each block is wrong: all must differ
@@ -81,6 +81,12 @@ int main(int argc, char** argv) try {
     const auto variance_map = shadow_scene::drawn(variance);
     const auto powers_map = shadow_scene::drawn(powers);
 
+    const shadow seven(shadow_scene::cascades<7>(clip), {128, 128}, filters::pcf_2x2{});
+    const shadow sides(shadow_scene::tetrahedron(clip), {512, 512}, filters::tent<3>);
+    const shadow halves(shadow_scene::paraboloids(clip), {512, 512}, filters::pcf_2x2{});
+    const auto seven_map = shadow_scene::drawn(seven), sides_map = shadow_scene::drawn(sides),
+               halves_map = shadow_scene::drawn(halves);
+
     const receivers of;
     bool good = true;
     for (const version v : {version::v330, version::v450, version::v100}) {
@@ -135,6 +141,14 @@ int main(int argc, char** argv) try {
         smooth.push_back(make("powers", powers, bind(powers, "powers", {.block = 3, .texture = 4}),
                               floats(powers_map, GL_RGBA32F, GL_RGBA), powers_map));
         good = agree(v, std::move(smooth), of, fault) && good;
+
+        std::vector<tried> others;
+        others.push_back(make("seven", seven, bind(seven, "seven"), floats(seven_map, GL_R32F, GL_RED), seven_map));
+        others.push_back(make("sides", sides, bind(sides, "sides", {.block = 1, .texture = 2}),
+                              floats(sides_map, GL_R32F, GL_RED), sides_map));
+        others.push_back(make("halves", halves, bind(halves, "halves", {.block = 2, .texture = 3}),
+                              floats(halves_map, GL_R32F, GL_RED), halves_map));
+        good = agree(v, std::move(others), of, fault) && good;
     }
     return good ? 0 : 1;
 } catch (const viewer::no_context& e) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Cascades of a directional light, up to four: a map each, the first that holds a receiver and its filter, and near its
+// Cascades of a directional light, up to eight: a map each, the first that holds a receiver and its filter, and near its
 // border a blend with the next.
 //
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
@@ -21,27 +21,73 @@
 
 namespace umbrage {
 
+namespace detail {
+
+/// Uniforms of up to four cascades.
+template <int Groups>
+struct cascade_block {
+    glm::mat4 rotation;         ///< world to the light's directions
+    glm::mat4 scales, offsets;  ///< columns: a cascade's each, as cascade_by_projection takes them
+    glm::vec4 blending{0};      ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last one's number
+
+    static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
+    static constexpr std::string_view find = "cascade_by_projection(light, scales, offsets", column = "cascade_column";
+    static constexpr std::string_view all_scales = "scales", all_offsets = "offsets";
+    static constexpr const glsl::snippet &finder = glsl::cascade_by_projection, &picker = glsl::cascade_column;
+
+    [[nodiscard]] glm::vec4 found(glm::vec3 light, const shadow_terms& terms) const {
+        return cascade_by_projection(light, scales, offsets, terms.map_size, terms.reach);
+    }
+    [[nodiscard]] glm::vec4 scale(float number) const { return cascade_column(scales, number); }
+    [[nodiscard]] glm::vec4 offset(float number) const { return cascade_column(offsets, number); }
+    void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) { scales[i] = scale, offsets[i] = offset; }
+};
+/// Of five to eight.
+template <>
+struct cascade_block<2> {
+    glm::mat4 rotation, scales, offsets;        ///< of the first four
+    glm::mat4 farther_scales, farther_offsets;  ///< of the others
+    glm::vec4 blending{0};
+
+    static constexpr uniform_field fields[]{{"rotation"},       {"scales"},          {"offsets"},
+                                            {"farther_scales"}, {"farther_offsets"}, {"blending", false}};
+    static constexpr std::string_view find =
+        "cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets";
+    static constexpr std::string_view column = "cascade_column_8";
+    static constexpr std::string_view all_scales = "scales, farther_scales", all_offsets = "offsets, farther_offsets";
+    static constexpr const glsl::snippet &finder = glsl::cascade_by_projection_8, &picker = glsl::cascade_column_8;
+
+    [[nodiscard]] glm::vec4 found(glm::vec3 light, const shadow_terms& terms) const {
+        return cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, terms.map_size,
+                                       terms.reach);
+    }
+    [[nodiscard]] glm::vec4 scale(float number) const { return cascade_column_8(scales, farther_scales, number); }
+    [[nodiscard]] glm::vec4 offset(float number) const { return cascade_column_8(offsets, farther_offsets, number); }
+    void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) {
+        (i < 4 ? scales : farther_scales)[i % 4] = scale, (i < 4 ? offsets : farther_offsets)[i % 4] = offset;
+    }
+};
+
+}  // namespace detail
+
+/// @tparam Groups   of four cascades: 1 or 2
+template <int Groups = 1>
 struct cascaded_maps {
     std::vector<cascade<double>> cascades;
     float blend_texels;  ///< width of the band along a map's border in which the next one takes over; 0: none
 
-    /// @throws std::invalid_argument  blend_texels negative or not finite
+    /// @throws std::invalid_argument  blend negative or not finite
     template <real T, std::size_t Count>
     explicit cascaded_maps(const std::array<cascade<T>, Count>& all, float blend = 16.0f) : blend_texels(blend) {
-        static_assert(Count >= 1 && Count <= 4, "a shadow takes one to four cascades");
+        static_assert(Count >= 1 && Count <= 8, "a shadow takes one to eight cascades");
         detail::require(is_finite(blend) && blend >= 0.0f, "cascaded_maps", "blend", "finite, 0 or more", blend);
         for (const cascade<T>& c : all)
             cascades.push_back({detail::in_double(c.light), glm::dvec4(c.scale), glm::dvec4(c.offset), c.begin, c.end});
     }
 
-    struct uniforms {
-        glm::mat4 rotation;         ///< world to the light's directions
-        glm::mat4 scales, offsets;  ///< columns: a cascade's each, as cascade_by_projection takes them
-        glm::vec4 blending{
-            0};  ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last cascade's number
-    };
-    static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
-    static constexpr map_grid grid{2, 2};
+    using uniforms = detail::cascade_block<Groups>;
+    static constexpr const auto& fields = uniforms::fields;
+    static constexpr map_grid grid{2, 2 * Groups};
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
@@ -54,13 +100,14 @@ struct cascaded_maps {
     [[nodiscard]] uniforms make_uniforms(glm::ivec2, glm::dvec3 origin) const {
         const glm::dmat4 rotation = cascades.front().light.view;
         const glm::dvec3 start(rotation * glm::dvec4(origin, 1.0));
-        uniforms u{glm::mat4(glm::dmat4(glm::dmat3(rotation))), glm::mat4(0), glm::mat4(0), glm::vec4(0)};
-        for (glm::length_t i = 0; i < 4; ++i) {
-            u.offsets[i] = {65536.0f, 65536.0f, 0.0f, 0.0f};  // nothing falls into a cascade that is not there
+        uniforms u{};
+        u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
+        for (glm::length_t i = 0; i < 4 * Groups; ++i) {
+            u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // holds nothing where there is no cascade
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
             const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
-            u.scales[i] = c.scale;
-            u.offsets[i] = glm::dvec4(glm::dvec3(c.offset) + start * glm::dvec3(c.scale), 0.0);
+            const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);
+            u.set(i, glm::vec4(c.scale), glm::vec4(glm::dvec4(offset, 0.0)));
         }
         u.blending = {blend_texels > 0.0f ? 1.0f / blend_texels : 0.0f, static_cast<float>(cascades.size() - 1), 0, 0};
         return u;
@@ -70,39 +117,45 @@ struct cascaded_maps {
     [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms& terms, glm::vec3 world,
                                           glm::vec3 normal, const Look& look) {
         const glm::vec3 light(shadow_coordinate(u.rotation, world)), across(shadow_coordinate(u.rotation, normal));
-        const glm::vec4 found = cascade_by_projection(light, u.scales, u.offsets, terms.map_size, terms.reach);
+        const glm::vec4 found = u.found(light, terms);
         const float last = u.blending.y, number = found.w < last ? found.w : last;
-        const glm::vec4 scale = cascade_column(u.scales, number);
+        const glm::vec4 scale = u.scale(number);
         const float nearer = look(map_place{int(number), glm::vec3(found), cascade_slope(across, scale)});
         const float weight = u.blending.x > 0.0f && found.w <= last
                                  ? cascade_border_fade(glm::vec2(found), terms.map_size, terms.reach, u.blending.x)
                                  : 0.0f;
         if (!(weight > 0.0f)) return nearer;
         const float next = number + 1.0f < last ? number + 1.0f : last;
-        const glm::vec4 next_scale = cascade_column(u.scales, next);
-        const glm::vec3 at = cascade_coordinate(light, next_scale, cascade_column(u.offsets, next));
+        const glm::vec4 next_scale = u.scale(next);
+        const glm::vec3 at = cascade_coordinate(light, next_scale, u.offset(next));
         const float farther = number < last ? look(map_place{int(next), at, cascade_slope(across, next_scale)}) : 1.0f;
         return blend_cascades(nearer, farther, weight);
     }
     [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
+        const auto column = [](std::string_view all, std::string_view number) {
+            return std::string("umbrage_").append(uniforms::column) + '(' + std::string(all) + ", " +
+                   std::string(number) + ')';
+        };
         return R"GLSL(
     UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, world);
     UMBRAGE_HIGHP vec4 across = umbrage_shadow_coordinate(rotation, normal);
     UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
     UMBRAGE_HIGHP vec3 normal_there = vec3(across.x, across.y, across.z);
     UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
-    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    UMBRAGE_HIGHP vec4 found = umbrage_)GLSL" +
+               std::string(uniforms::find) + R"GLSL(, size, terms.z);
     UMBRAGE_HIGHP float number = min(found.w, blending.y);
-    UMBRAGE_HIGHP vec4 scale = umbrage_cascade_column(scales, number);
-)GLSL" + choice.first("number") +
+    UMBRAGE_HIGHP vec4 scale = )GLSL" +
+               column(uniforms::all_scales, "number") + ";\n" + choice.first("number") +
                R"GLSL(    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(normal_there, scale);
     UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope);
     UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
     UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
     UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
-    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column(scales, next);
-    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
-)GLSL" + choice.again("next") +
+    UMBRAGE_HIGHP vec4 next_scale = )GLSL" +
+               column(uniforms::all_scales, "next") + R"GLSL(;
+    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, )GLSL" +
+               column(uniforms::all_offsets, "next") + ");\n" + choice.again("next") +
                R"GLSL(    UMBRAGE_HIGHP float farther = 1.0;
     if (weight > 0.0 && number < blending.y) {
         farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale));
@@ -111,13 +164,16 @@ struct cascaded_maps {
 )GLSL";
     }
     static constexpr const auto& needs =
-        glsl::list<&glsl::shadow_coordinate, &glsl::cascade_by_projection, &glsl::cascade_column, &glsl::cascade_slope,
+        glsl::list<&glsl::shadow_coordinate, &uniforms::finder, &uniforms::picker, &glsl::cascade_slope,
                    &glsl::cascade_coordinate, &glsl::cascade_border_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
 };
 
 template <real T, std::size_t Count>
+cascaded_maps(const std::array<cascade<T>, Count>&, float = 0) -> cascaded_maps<(Count > 4 ? 2 : 1)>;
+
+template <real T, std::size_t Count>
 struct set_up_for<std::array<cascade<T>, Count>> {
-    using type = cascaded_maps;
+    using type = cascaded_maps<(Count > 4 ? 2 : 1)>;
 };
 
 }  // namespace umbrage

@@ -73,7 +73,8 @@ struct map_grid {
 
 /// How a light's maps are set up. `uniforms` holds mat4s and vec4s alone, in the order of `fields`, so that C++,
 /// std140, cbuffers, WGSL and Metal lay it out alike. `visibility` and `text` are twins: C++ calls look(place) where
-/// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
+/// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose. One whose lights do
+/// not draw each into a map of its own has draw(depths, mesh, parallel); one that bends lines, bent_lines `bends`.
 template <class SetUp>
 concept shadow_set_up = std::copyable<SetUp> &&
     requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,
@@ -90,6 +91,12 @@ concept shadow_set_up = std::copyable<SetUp> &&
     {std::span<const glsl::snippet* const>(SetUp::needs)};
 };
 
+/// Maps that bend straight lines and planes: contact hardening, which compares along planes, does not go with them.
+struct bent_lines {
+    float reach = 0;  ///< texels that places are off by
+    float error = 0;  ///< and depths
+};
+
 /// The set-up that a light is given to a shadow as: itself, unless its header says otherwise.
 template <class Light>
 struct set_up_for {
@@ -104,6 +111,12 @@ consteval bool has_fields() {
     std::size_t vectors = 0;
     for (const uniform_field& f : SetUp::fields) vectors += f.vectors();
     return vectors * sizeof(glm::vec4) == sizeof(typename SetUp::uniforms);
+}
+
+template <class SetUp>
+[[nodiscard]] constexpr bent_lines bends_of() {
+    if constexpr (requires { SetUp::bends; }) return SetUp::bends;
+    else return {};
 }
 
 /// A map's first texel in the image of all.

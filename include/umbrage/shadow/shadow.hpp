@@ -53,6 +53,8 @@ class shadow {
 public:
     using texel = typename Encoding::texel;
     using uniforms_type = shadow_uniforms<SetUp>;
+    static_assert(!detail::contact_hardening<Filter> || detail::bends_of<SetUp>().reach == 0.0f,
+                  "contact hardening compares along planes, which paraboloids bend: take another set-up, or a disc");
     static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
 
     /// @param light      a light_space, an array of cascades, a point_light, or a set-up of your own
@@ -96,11 +98,14 @@ public:
     template <class ParallelFor = serial>
     void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
         detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
-        const auto lights = set_up_.lights();
-        for (std::size_t i = 0; i < lights.size(); ++i)
-            rasterize_depth(depths.region(detail::first_texel(int(i), SetUp::grid, map_size_), map_size_), mesh,
-                            glm::mat4(lights[i].projection * lights[i].view), lights[i].clip, cull_mode::none,
-                            parallel);
+        if constexpr (requires { set_up_.draw(depths, mesh, parallel); }) set_up_.draw(depths, mesh, parallel);
+        else {
+            const auto lights = set_up_.lights();
+            for (std::size_t i = 0; i < lights.size(); ++i)
+                rasterize_depth(depths.region(detail::first_texel(int(i), SetUp::grid, map_size_), map_size_), mesh,
+                                glm::mat4(lights[i].projection * lights[i].view), lights[i].clip, cull_mode::none,
+                                parallel);
+        }
     }
 
     /// Makes the map's texels of drawn depths; blur a prefilter's afterwards (blur.hpp), map by map.
@@ -144,12 +149,13 @@ public:
     ///                camera's place, and the light in double
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
         const float size = static_cast<float>(detail::greater(map_size_.x, map_size_.y));
-        const float more = rasterizer_snap<float> + 0x1p-24f * size;  // of the rasterizer, and a coordinate's rounding
+        constexpr bent_lines bends = detail::bends_of<SetUp>();
+        const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // beside it a coordinate's rounding
         const decoding_error both = encoding_.error();
         const double error = encoding_.direction == depth_direction::forward ? both.below : both.above;
         return {set_up_.make_uniforms(map_size_, frame.origin),
-                {glm::vec2(map_size_), detail::reach_of(filter_) + more, static_cast<float>(error) + 0x1p-22f,
-                 detail::terms_of(filter_, more)}};
+                {glm::vec2(map_size_), detail::reach_of(filter_) + more,
+                 static_cast<float>(error) + 0x1p-22f + bends.error, detail::terms_of(filter_, more)}};
     }
 
 private:

@@ -21,6 +21,16 @@
 #endif
 #endif
 
+#ifndef UMBRAGE_HAS_TETRAHEDRON_TURNED
+#define UMBRAGE_HAS_TETRAHEDRON_TURNED
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec2 umbrage_tetrahedron_turned(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 v) {
+    UMBRAGE_HIGHP vec2 z = face < 0.5 ? v : vec2(-v.x, -v.y);
+    UMBRAGE_HIGHP vec2 x = face < 2.5 ? vec2(-v.y, v.x) : vec2(v.y, -v.x);
+    return face < 1.5 ? z : x;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_TETRAHEDRON_TEXEL
 #define UMBRAGE_HAS_TETRAHEDRON_TEXEL
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
@@ -31,8 +41,7 @@ UMBRAGE_HIGHP vec2 umbrage_tetrahedron_texel(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGH
     UMBRAGE_HIGHP float scale = half_size - border * 3.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = at.x * scale;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = at.y * scale + (border - half_size);
-    UMBRAGE_HIGHP vec2 off = at.z < 1.5 ? vec2(x, y) : vec2(-y, x);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = umbrage_tetrahedron_turned(at.z, vec2(x, y)) + half_size;
     return texel;
 }
 #endif

@@ -34,15 +34,21 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TETRAHEDRON_FACE_POINT
+#define UMBRAGE_HAS_TETRAHEDRON_FACE_POINT
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 d) {
+    UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
+    UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_TETRAHEDRON_PLANE
 #define UMBRAGE_HAS_TETRAHEDRON_PLANE
 // umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
 UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(direction);
-    UMBRAGE_HIGHP vec3 d = direction;
-    UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
-    UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
-    return face < 1.5 ? z : x;
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }
 #endif
 

@@ -21,14 +21,20 @@ inline float umbrage_tetrahedron_face(float3 direction) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TETRAHEDRON_FACE_POINT
+#define UMBRAGE_HAS_TETRAHEDRON_FACE_POINT
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+inline float3 umbrage_tetrahedron_face_point(float face, float3 d) {
+    float3 z = face < 0.5 ? float3(-d.x, d.y, d.z) : float3(d.x, d.y, -d.z);
+    float3 x = face < 2.5 ? float3(-d.z, -d.y, d.x) : float3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_TETRAHEDRON_PLANE
 #define UMBRAGE_HAS_TETRAHEDRON_PLANE
 // umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
 inline float3 umbrage_tetrahedron_plane(float3 direction) {
-    float face = umbrage_tetrahedron_face(direction);
-    float3 d = direction;
-    float3 z = face < 0.5 ? float3(-d.x, d.y, d.z) : float3(d.x, d.y, -d.z);
-    float3 x = face < 2.5 ? float3(-d.z, -d.y, d.x) : float3(d.z, -d.y, -d.x);
-    return face < 1.5 ? z : x;
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }
 #endif

@@ -9,6 +9,16 @@
 #pragma METAL fp math_mode(safe)
 #pragma METAL fp contract(off)
 
+#ifndef UMBRAGE_HAS_TETRAHEDRON_TURNED
+#define UMBRAGE_HAS_TETRAHEDRON_TURNED
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+inline float2 umbrage_tetrahedron_turned(float face, float2 v) {
+    float2 z = face < 0.5 ? v : float2(-v.x, -v.y);
+    float2 x = face < 2.5 ? float2(-v.y, v.x) : float2(v.y, -v.x);
+    return face < 1.5 ? z : x;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_TETRAHEDRON_TEXEL
 #define UMBRAGE_HAS_TETRAHEDRON_TEXEL
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
@@ -18,8 +28,7 @@ inline float2 umbrage_tetrahedron_texel(float3 at, float size, float border) {
     float scale = half_size - border * 3.0;
     float x = at.x * scale;
     float y = at.y * scale + (border - half_size);
-    float2 off = at.z < 1.5 ? float2(x, y) : float2(-y, x);
-    float2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    float2 texel = umbrage_tetrahedron_turned(at.z, float2(x, y)) + half_size;
     return texel;
 }
 #endif

@@ -6,7 +6,8 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: tetrahedron_face.wgsl, tetrahedron_plane.wgsl; or paste wgsl_joined/tetrahedron_coordinate.wgsl alone.
+// Paste along: tetrahedron_face.wgsl, tetrahedron_face_point.wgsl, tetrahedron_plane.wgsl; or paste
+//   wgsl_joined/tetrahedron_coordinate.wgsl alone.
 
 // umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
 fn umbrage_tetrahedron_coordinate(direction: vec3f) -> vec3f {

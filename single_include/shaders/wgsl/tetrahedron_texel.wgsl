@@ -5,6 +5,7 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Paste along: tetrahedron_turned.wgsl; or paste wgsl_joined/tetrahedron_texel.wgsl alone.
 
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels
@@ -13,7 +14,6 @@ fn umbrage_tetrahedron_texel(at: vec3f, size: f32, border: f32) -> vec2f {
     let scale: f32 = half_size - border * 3.0;
     let x: f32 = at.x * scale;
     let y: f32 = at.y * scale + (border - half_size);
-    let off: vec2f = select(vec2f(-y, x), vec2f(x, y), at.z < 1.5);
-    let texel: vec2f = half_size + select(-off, off, at.z < 0.5 || (at.z > 1.5 && at.z < 2.5));
+    let texel: vec2f = umbrage_tetrahedron_turned(at.z, vec2f(x, y)) + half_size;
     return texel;
 }

@@ -6,7 +6,8 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: tetrahedron_face.wgsl, tetrahedron_plane.wgsl; or paste wgsl_joined/tetrahedron_view_z.wgsl alone.
+// Paste along: tetrahedron_face.wgsl, tetrahedron_face_point.wgsl, tetrahedron_plane.wgsl; or paste
+//   wgsl_joined/tetrahedron_view_z.wgsl alone.
 
 // umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
 fn umbrage_tetrahedron_view_z(direction: vec3f) -> f32 {

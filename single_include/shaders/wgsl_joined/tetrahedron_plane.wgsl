@@ -15,11 +15,14 @@ fn umbrage_tetrahedron_face(direction: vec3f) -> f32 {
     return select(x, z, beside >= up);
 }
 
-// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
-fn umbrage_tetrahedron_plane(direction: vec3f) -> vec3f {
-    let face: f32 = umbrage_tetrahedron_face(direction);
-    let d: vec3f = direction;
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+fn umbrage_tetrahedron_face_point(face: f32, d: vec3f) -> vec3f {
     let z: vec3f = select(vec3f(d.x, d.y, -d.z), vec3f(-d.x, d.y, d.z), face < 0.5);
     let x: vec3f = select(vec3f(d.z, -d.y, -d.x), vec3f(-d.z, -d.y, d.x), face < 2.5);
     return select(x, z, face < 1.5);
+}
+
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+fn umbrage_tetrahedron_plane(direction: vec3f) -> vec3f {
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }

@@ -6,6 +6,13 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+fn umbrage_tetrahedron_turned(face: f32, v: vec2f) -> vec2f {
+    let z: vec2f = select(vec2f(-v.x, -v.y), v, face < 0.5);
+    let x: vec2f = select(vec2f(v.y, -v.x), vec2f(-v.y, v.x), face < 2.5);
+    return select(x, z, face < 1.5);
+}
+
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels
 fn umbrage_tetrahedron_texel(at: vec3f, size: f32, border: f32) -> vec2f {
@@ -13,7 +20,6 @@ fn umbrage_tetrahedron_texel(at: vec3f, size: f32, border: f32) -> vec2f {
     let scale: f32 = half_size - border * 3.0;
     let x: f32 = at.x * scale;
     let y: f32 = at.y * scale + (border - half_size);
-    let off: vec2f = select(vec2f(-y, x), vec2f(x, y), at.z < 1.5);
-    let texel: vec2f = half_size + select(-off, off, at.z < 0.5 || (at.z > 1.5 && at.z < 2.5));
+    let texel: vec2f = umbrage_tetrahedron_turned(at.z, vec2f(x, y)) + half_size;
     return texel;
 }

@@ -42,6 +42,17 @@ void each_of_light(const Run& run, const Fetch& fetch) {
         [](glm::vec4 v) { return cube_atlas_direction(glm::vec2(v) + 1.0f, v.w * 2.0f); });
     run("cube_lit", 1, cube_texel, [&](glm::vec4 v) { return cube_lit(fetch, v.w, glm::vec3(v), 0.5f); });
     run("cube_tile", 1, cube_texel, [](glm::vec4 v) { return glm::vec2(cube_tile(int(v.z), int(v.w))); });
+    const auto on_face = [](source& s) {
+        const glm::vec2 xy = s.coords();
+        const float z = s.level();
+        return glm::vec4(xy, z, float(s.below(4)));
+    };
+    run("tetrahedron_face_point", 1, on_face,
+        [](glm::vec4 v) { return passed_on(tetrahedron_face_point(int(v.w), glm::vec3(v))); });
+    run("tetrahedron_turned", 1, on_face, [](glm::vec4 v) {
+        const glm::vec2 turned = tetrahedron_turned(int(v.w), glm::vec2(v));
+        return passed_on(glm::vec3(turned, v.z));
+    });
     run("tetrahedron_face_of", 1, cube_texel,
         [](glm::vec4 v) { return float(tetrahedron_face_of(glm::vec2(v) + 1.0f, v.w + 2.0f)); });
     run(

@@ -13,7 +13,9 @@
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
+#include <umbrage/shadow/paraboloid_maps.hpp>
 #include <umbrage/shadow/shadow.hpp>
+#include <umbrage/shadow/tetrahedron_map.hpp>
 
 namespace shadow_scene {
 
@@ -39,7 +41,14 @@ inline constexpr glm::vec3 up(0, 1, 0);
 [[nodiscard]] inline point_light<float> bulb(clip_space clip, int map_size = 256) {
     return {.position = {0.5f, 8, 0.25f}, .map_size = map_size, .border = 8, .clip = clip};
 }
-[[nodiscard]] inline std::array<cascade<float>, 3> cascades(clip_space clip) {
+[[nodiscard]] inline tetrahedron_light<float> tetrahedron(clip_space clip) {
+    return {.position = {0.5f, 8, 0.25f}, .map_size = 512, .border = 8, .clip = clip};
+}
+[[nodiscard]] inline dual_paraboloid_light<float> paraboloids(clip_space clip) {
+    return {.position = {0.5f, 8, 0.25f}, .range = 60, .map_size = 512, .border = 8, .clip = clip};
+}
+template <std::size_t Count = 3>
+[[nodiscard]] std::array<cascade<float>, Count> cascades(clip_space clip) {
     const cascade_fit<float> fit{
         .camera = {.position = {0, 3, 15}, .direction = {0, 0, -1}, .up = up, .tan_half_x = 1, .tan_half_y = 1},
         .direction = {0.1f, -1, 0.1f},
@@ -49,7 +58,7 @@ inline constexpr glm::vec3 up(0, 1, 0);
         .margin = 4,
         .overlap = 0.1f,
         .clip = clip};
-    return make_stable_cascades<3>(fit, practical_splits<3>(0.5f, 60.0f, 0.9f));
+    return make_stable_cascades<Count>(fit, practical_splits<Count>(0.5f, 60.0f, 0.9f));
 }
 
 /// Calls use(shadow) for each set-up under a filter and an encoding.
@@ -58,7 +67,10 @@ void for_each_shadow(clip_space clip, const Filter& filter, const Encoding& enco
     use(shadow(spot(clip), {256, 128}, filter, encoding));
     use(shadow(fitted(clip), {200, 300}, filter, encoding));
     use(shadow(cascades(clip), {256, 256}, filter, encoding));
+    use(shadow(cascades<6>(clip), {256, 256}, filter, encoding));
     use(shadow(bulb(clip), {256, 256}, filter, encoding));
+    use(shadow(tetrahedron(clip), {512, 512}, filter, encoding));
+    if constexpr (!detail::contact_hardening<Filter>) use(shadow(paraboloids(clip), {512, 512}, filter, encoding));
 }
 
 /// Its map: depths drawn, and stored as its encoding has them.

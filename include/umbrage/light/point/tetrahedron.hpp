@@ -42,16 +42,23 @@ template <real T>
     return below ? (direction.z < T(0) ? 1 : 0) : (direction.x < T(0) ? 3 : 2);
 }
 
-/// A direction in its face's own axes.
+/// A direction in a face's own axes.
+/// @param face   0 .. 3
+/// @return       (aside, up, away), see tetrahedron_plane
+/// @exactness    A: selects
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> tetrahedron_face_point(int face, glm::vec<3, T> d) {
+    if (face < 2) return face == 0 ? glm::vec<3, T>(-d.x, d.y, d.z) : glm::vec<3, T>(d.x, d.y, -d.z);
+    return face == 2 ? glm::vec<3, T>(-d.z, -d.y, d.x) : glm::vec<3, T>(d.z, -d.y, -d.x);
+}
+
+/// A direction in the axes of the face that it meets.
 /// @return        (aside, up, away): along the face's base, to the right for who looks along the face with its apex
 ///                above; up in the world, of faces 2 and 3 down; away from the other face of the same two, >= 0
 /// @exactness     B, n = 1: S of tetrahedron_face, then selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_plane(glm::vec<3, T> direction) {
-    const int face = tetrahedron_face(direction);
-    const glm::vec<3, T> d = direction;
-    if (face < 2) return face == 0 ? glm::vec<3, T>(-d.x, d.y, d.z) : glm::vec<3, T>(d.x, d.y, -d.z);
-    return face == 2 ? glm::vec<3, T>(-d.z, -d.y, d.x) : glm::vec<3, T>(d.z, -d.y, -d.x);
+    return tetrahedron_face_point(tetrahedron_face(direction), direction);
 }
 
 /// Distance to a direction's end along the normal of the face that it meets: what per-face depths are made of.
@@ -75,6 +82,15 @@ template <real T>
     return {p.x / d, p.z / d, T(tetrahedron_face(direction))};
 }
 
+/// A vector of face 0's side of the map on another face's: turned by quarters.
+/// @param face   0 .. 3
+/// @exactness    A: selects
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> tetrahedron_turned(int face, glm::vec<2, T> v) {
+    if (face < 2) return face == 0 ? v : glm::vec<2, T>(-v.x, -v.y);
+    return face == 2 ? glm::vec<2, T>(-v.y, v.x) : glm::vec<2, T>(v.y, -v.x);
+}
+
 /// Where in a square map that is.
 /// @param at       tetrahedron_coordinate;   size  of the map, in texels;   border  as make_tetrahedron_light's
 /// @return         texels; face 0's base is the first row, 1's the last, 2's the last column, 3's the first
@@ -85,8 +101,9 @@ template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_texel(glm::vec<3, T> at, T size, T border) {
     const T half = size * T(0.5), scale = half - border * T(3);
     const T x = at.x * scale, y = at.y * scale + (border - half);
-    if (at.z < T(1.5)) return at.z < T(0.5) ? glm::vec<2, T>(half + x, half + y) : glm::vec<2, T>(half - x, half - y);
-    return at.z < T(2.5) ? glm::vec<2, T>(half - y, half + x) : glm::vec<2, T>(half + y, half - x);
+    const int face = at.z < T(1.5) ? (at.z < T(0.5) ? 0 : 1) : (at.z < T(2.5) ? 2 : 3);
+    const glm::vec<2, T> off = tetrahedron_turned(face, glm::vec<2, T>(x, y));
+    return {half + off.x, half + off.y};
 }
 
 /// The face whose triangle a texel lies in: what a depth pass of another face must leave alone.
@@ -119,20 +136,30 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
 )GLSL",
 };
 
+inline constexpr snippet tetrahedron_face_point{
+    .name = "tetrahedron_face_point",
+    .summary = "a direction in the axes of a tetrahedron's face",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 d) {
+    UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
+    UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+)GLSL",
+};
+
 inline constexpr snippet tetrahedron_plane{
     .name = "tetrahedron_plane",
     .summary = "a direction in its tetrahedron face's axes",
     .exactness = tier::b,
     .operations = 1,
-    .needs = list<&tetrahedron_face>,
+    .needs = list<&tetrahedron_face, &tetrahedron_face_point>,
     .source = R"GLSL(
 // umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
 UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(direction);
-    UMBRAGE_HIGHP vec3 d = direction;
-    UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
-    UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
-    return face < 1.5 ? z : x;
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }
 )GLSL",
 };
@@ -169,11 +196,26 @@ UMBRAGE_HIGHP vec3 umbrage_tetrahedron_coordinate(UMBRAGE_HIGHP vec3 direction) 
 )GLSL",
 };
 
+inline constexpr snippet tetrahedron_turned{
+    .name = "tetrahedron_turned",
+    .summary = "a vector of a tetrahedron's first face on another face's side of the map",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec2 umbrage_tetrahedron_turned(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 v) {
+    UMBRAGE_HIGHP vec2 z = face < 0.5 ? v : vec2(-v.x, -v.y);
+    UMBRAGE_HIGHP vec2 x = face < 2.5 ? vec2(-v.y, v.x) : vec2(v.y, -v.x);
+    return face < 1.5 ? z : x;
+}
+)GLSL",
+};
+
 inline constexpr snippet tetrahedron_texel{
     .name = "tetrahedron_texel",
     .summary = "a point of a tetrahedron's face in the map",
     .exactness = tier::b,
     .operations = 9,
+    .needs = list<&tetrahedron_turned>,
     .source = R"GLSL(
 // umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
 //   size  of the map, in texels;   border  along the sides of each triangle, in texels
@@ -183,8 +225,7 @@ UMBRAGE_HIGHP vec2 umbrage_tetrahedron_texel(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGH
     UMBRAGE_HIGHP float scale = half_size - border * 3.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = at.x * scale;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = at.y * scale + (border - half_size);
-    UMBRAGE_HIGHP vec2 off = at.z < 1.5 ? vec2(x, y) : vec2(-y, x);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = umbrage_tetrahedron_turned(at.z, vec2(x, y)) + half_size;
     return texel;
 }
 )GLSL",
@@ -205,9 +246,9 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face_of(UMBRAGE_HIGHP vec2 texel, UMBRAG
 )GLSL",
 };
 
-inline constexpr const snippet* tetrahedron_snippets[]{&tetrahedron_face,   &tetrahedron_plane,
-                                                       &tetrahedron_view_z, &tetrahedron_coordinate,
-                                                       &tetrahedron_texel,  &tetrahedron_face_of};
+inline constexpr const snippet* tetrahedron_snippets[]{
+    &tetrahedron_face,       &tetrahedron_face_point, &tetrahedron_plane, &tetrahedron_view_z,
+    &tetrahedron_coordinate, &tetrahedron_turned,     &tetrahedron_texel, &tetrahedron_face_of};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -30,6 +30,17 @@ std::vector<input_class> towards_faces() {
     return classes;
 }
 
+/// Vectors of these ranges and special ones in x0, a face in x1.x.
+std::vector<input_class> on_faces(std::vector<range> vector) {
+    auto classes = spread(std::move(vector), special_values());
+    for (input_class& c : classes)
+        c.fill = [fill = c.fill](std::uint64_t i, random& r, sample& s) {
+            fill(i, r, s);
+            s.x[1].x = static_cast<float>(r.below(4));
+        };
+    return classes;
+}
+
 /// A point of a face in x0.xyz, the map's size in x0.w, a border in x1.x.
 void on_tetrahedron(std::uint64_t, random& r, sample& s) {
     s.x[0] = vec4(r.between(-1.0f, 1.0f), r.between(0.0f, 1.0f), static_cast<float>(r.below(4)),
@@ -59,6 +70,20 @@ void add_light_point_tetrahedron(std::vector<entry>& all) {
                    .classes = towards_faces(),
                    .twin = [](const sample& s) { return vec4(tetrahedron_plane(vec3(s.x[0])), 1.0f); },
                    .call = "vec4(umbrage_tetrahedron_plane(vec3(x0.x, x0.y, x0.z)), 1.0)"});
+    all.push_back({.primitive = &glsl::tetrahedron_face_point,
+                   .classes = on_faces({{-9.0f, 9.0f}, {-9.0f, 9.0f}, {-9.0f, 9.0f}}),
+                   .twin =
+                       [](const sample& s) {
+                           return vec4(tetrahedron_face_point(static_cast<int>(s.x[1].x), vec3(s.x[0])), 1.0f);
+                       },
+                   .call = "vec4(umbrage_tetrahedron_face_point(x1.x, vec3(x0.x, x0.y, x0.z)), 1.0)"});
+    all.push_back({.primitive = &glsl::tetrahedron_turned,
+                   .classes = on_faces({{-2.0f, 2.0f}, {-2.0f, 2.0f}}),
+                   .twin =
+                       [](const sample& s) {
+                           return vec4(tetrahedron_turned(static_cast<int>(s.x[1].x), vec2(s.x[0])), 0.0f, 1.0f);
+                       },
+                   .call = "vec4(umbrage_tetrahedron_turned(x1.x, vec2(x0.x, x0.y)), 0.0, 1.0)"});
     all.push_back({.primitive = &glsl::tetrahedron_view_z,
                    .classes = towards_faces(),
                    .twin = [](const sample& s) { return vec4(tetrahedron_view_z(vec3(s.x[0]))); },
