@@ -155,6 +155,15 @@ template <class Filter>
     return turning<Filter> ? all + ", umbrage_disc_rotation(pixel)" : all;
 }
 
+/// What a prefilter's writer takes behind the depth.
+template <prefilter Prefilter>
+[[nodiscard]] constexpr std::string_view writer_arguments() {
+    if constexpr (requires(const Prefilter& p) { p.parameters; })
+        return Prefilter::texel::length() == 4 ? ", vec2(filter_terms.x, filter_terms.y)" : ", filter_terms.x";
+    else if constexpr (requires(const Prefilter& p) { p.settings; }) return ", filter_terms.x";
+    else return "";
+}
+
 /// bias_of and look in GLSL: umbrage_look, for a filter's map alone.
 /// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters that turn
 template <class Filter>
