@@ -67,12 +67,12 @@ template <glm::length_t Channels>
 inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
 
 /// umbrage_write: the texel of a depth, as a color.
-/// @param to_unorm    null where the writer gives what to write
+/// @param stores      to_unorm of the target, null where the writer gives what to write
 /// @param arguments   of the writer behind the depth, of filter_terms
-[[nodiscard]] inline own_text write_text(const snippet& writer, const snippet* to_unorm, int channels,
+[[nodiscard]] inline own_text write_text(const snippet& writer, const snippet* stores, int channels,
                                          std::string_view arguments) {
     std::string texel = "umbrage_" + std::string(writer.name) + "(depth" + std::string(arguments) + ")";
-    if (to_unorm != nullptr) texel = "umbrage_" + std::string(to_unorm->name) + "(" + texel + ")";
+    if (stores != nullptr) texel = "umbrage_" + std::string(stores->name) + "(" + texel + ")";
     std::string color = channels == 1 ? "texel" : "texel.x, texel.y";
     if (channels > 2) color += channels == 3 ? ", texel.z" : ", texel.z, texel.w";
     for (int c = channels; c < 4; ++c) color += ", 0.0";
@@ -84,7 +84,7 @@ inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
                        ") {\n    UMBRAGE_HIGHP " + type + " texel = " + texel + ";\n    return vec4(" + color +
                        ");\n}\n"};
     write.needs = {&cleared_depth, &writer};  // the first makes the text this map's own
-    if (to_unorm != nullptr) write.needs.push_back(to_unorm);
+    if (stores != nullptr) write.needs.push_back(stores);
     return write;
 }
 
@@ -104,9 +104,8 @@ template <class SetUp, class Filter, class Encoding>
         item.texts = {detail::write_text(*Filter::writer, nullptr, detail::channels_of<typename Filter::texel>,
                                          umbrage::detail::writer_arguments<Filter>())};
     else {
-        const snippet* const to_unorm =
-            Encoding::writes == store_format::integers ? Encoding::target::to_unorm : nullptr;
-        item.texts = {detail::write_text(*Encoding::writer, to_unorm, Encoding::target::channels, "")};
+        const snippet* const stores = Encoding::writes == store_format::integers ? Encoding::target::to_unorm : nullptr;
+        item.texts = {detail::write_text(*Encoding::writer, stores, Encoding::target::channels, "")};
     }
     return item;
 }

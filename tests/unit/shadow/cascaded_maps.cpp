@@ -28,7 +28,7 @@ TEST_CASE("cascaded_maps: the next cascade takes over towards a border, without 
     int both = 0;
     for (float x = -40; x < 40; x += 0x1p-8f) {
         int looks = 0;
-        const float number = cascaded_maps::visibility(u, terms, {x, 0, 5}, {0, 1, 0}, [&](const map_place& place) {
+        const float number = cascaded_maps<>::visibility(u, terms, {x, 0, 5}, {0, 1, 0}, [&](const map_place& place) {
             ++looks;
             return float(place.number);
         });
@@ -46,7 +46,7 @@ TEST_CASE("cascaded_maps: without blending one look-up, also where no cascade ho
     const shadow_terms terms{.map_size = glm::vec2(256), .reach = 1.0f};
     for (const float x : {0.0f, 20.0f, 1e6f}) {
         int looks = 0;
-        static_cast<void>(cascaded_maps::visibility(u, terms, {x, 0, 0}, {0, 1, 0}, [&](const map_place& place) {
+        static_cast<void>(cascaded_maps<>::visibility(u, terms, {x, 0, 0}, {0, 1, 0}, [&](const map_place& place) {
             CHECK(place.number >= 0);
             CHECK(place.number <= 2);
             return ++looks, 1.0f;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+#include <umbrage/shadow/paraboloid_maps.hpp>
+
+#include "scene.hpp"
+
+using namespace umbrage;
+
+TEST_CASE("paraboloid_maps: a point lies where the depth pass draws it") {
+    for (const clip_space clip : {opengl_clip_space, direct3d_clip_space, unity_clip_space, cpu_clip_space}) {
+        const paraboloid_maps of(shadow_scene::paraboloids(clip));
+        const auto u = of.make_uniforms({512, 512}, glm::dvec3(0));
+        const light_space<double> light = of.lights()[0];
+        int met[2]{};
+        for (int i = 0; i < 600; ++i) {
+            const glm::vec3 world(float(i % 13) - 6.1f, float(i % 7) * 4 - 3.3f, float(i % 11) - 5.2f);
+            static_cast<void>(paraboloid_maps::visibility(u, {}, world, {0, 1, 0}, [&](const map_place& place) {
+                const glm::dvec3 way = glm::dvec3(world) - of.light.position;
+                const glm::dvec4 h = light.projection * dual_paraboloid_position(way, double(place.number));
+                const light_space<double> ndc{.clip = clip};
+                const glm::dvec3 drawn = glm::dvec3(texture_matrix(ndc, {512, 512}) * (h / h.w));
+                CHECK(glm::length(glm::dvec2(place.at) - glm::dvec2(drawn)) < 1e-3);
+                CHECK(glm::abs(place.at.z - drawn.z) < 1e-6);
+                ++met[place.number];
+                return 1.0f;
+            }));
+        }
+        for (const int n : met) CHECK(n > 10);
+    }
+}
+
+TEST_CASE("paraboloid_maps: maps have the light's size") {
+    const paraboloid_maps of(shadow_scene::paraboloids(cpu_clip_space));
+    CHECK_THROWS_WITH_AS(static_cast<void>(of.make_uniforms({512, 128}, glm::dvec3(0))),
+                         "umbrage::shadow: map_size must be the paraboloid light's, 512 x 512; got 512 x 128",
+                         std::invalid_argument);
+}
