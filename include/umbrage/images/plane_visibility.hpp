@@ -31,20 +31,17 @@ namespace detail {
     return size;
 }
 
-/// A block of them, read where they are; of a row's last, shorter block a copy.
+/// A block of them.
 struct sloped_rows : receiver_rows {
     const float *first_slope_x, *first_slope_y;
     [[nodiscard]] UMBRAGE_INLINE float slope_x(int i) const { return first_slope_x[i]; }
     [[nodiscard]] UMBRAGE_INLINE float slope_y(int i) const { return first_slope_y[i]; }
 };
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const sloped_receivers& from, const block_walk& at, Isa, const Use& use) {
-    const float* const first[]{from.at.x.row(at.y) + at.x, from.at.y.row(at.y) + at.x, from.at.depth.row(at.y) + at.x,
-                               from.slope_x.row(at.y) + at.x, from.slope_y.row(at.y) + at.x};
-    if (at.count() == block) return use(sloped_rows{{first[0], first[1], first[2]}, first[3], first[4]});
-    alignas(64) float copy[5][block]{};
-    for (int k = 0; k < 5; ++k) copy_floats(copy[k], first[k], at.count());
-    use(sloped_rows{{copy[0], copy[1], copy[2]}, copy[3], copy[4]});
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline sloped_rows block_at(const sloped_receivers& from, const block_walk& at,
+                                                         receiver_room& room, isa_constant<Set> set) {
+    return {block_at(from.at, at, room, set), whole_block(from.slope_x.row(at.y) + at.x, at.count(), room.rows[3]),
+            whole_block(from.slope_y.row(at.y) + at.x, at.count(), room.rows[4])};
 }
 UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_walk& at) {
     prefetch(from.at, at);
@@ -75,10 +72,9 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     if (out.empty()) return;
     const depth_direction direction = detail::direction_of(encoding, filter);
     const auto& directed = detail::in_direction(filter, direction);
-    const float cleared = cleared_depth(direction);
     const bool has_border = outside == outside_map::bordered;
     const auto clamped_map = decoded(clamped(map), encoding);
-    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared_depth(direction)};
     const detail::erased_fetch fetch = has_border ? detail::erase(bordered_map) : detail::erase(clamped_map);
     const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
         const glm::vec2 slope(receivers.slope_x[pixel], receivers.slope_y[pixel]);
@@ -86,25 +82,12 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     };
     bool done = false;
     if constexpr (detail::has_plane_form<Filter>) {
-        using form = detail::plane_form<Filter>;
         // a texel that is clamped keeps its own place on the plane
         const detail::map_edge edge(alone, filter.reach(), map.size, true, has_border);
-        const auto rows = [&]<class Blocks>(const Blocks& of) {
-            const detail::plane_blocks<Blocks> blocks{of, cleared};
-            parallel(out.size.y,
-                     [&](int first, int last) { detail::filter_rows(receivers, blocks, edge, out, first, last); });
-        };
-        done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
-            if (direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, directed, out.size, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, directed, out.size, parallel, rows);
-        });
+        done = detail::filter_by_form<detail::plane_form<Filter>>(map, encoding, receivers, directed, direction, edge,
+                                                                  out, parallel);
     }
-    if (done) return;
-    detail::for_each_receiver(receivers, out, parallel,
-                              [&](float& visibility, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-                                  visibility = alone(coord, receiver, pixel);
-                              });
+    if (!done) detail::for_each_receiver(receivers, out, parallel, alone);
 }
 
 }  // namespace umbrage

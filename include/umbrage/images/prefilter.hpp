@@ -157,12 +157,12 @@ void decode_image(image_view<const typename Prefilter::texel> map, const Prefilt
         on_best_isa_without_fma([&](auto set) UMBRAGE_INLINE {
             bilinear_block<typename Prefilter::texel> of_block;
             alignas(64) float depths[block], visibility[block];
+            receiver_room room;
             const Prefilter own = filter;  // in registers
             for (block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
-                use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
-                    of_block.place(r, map.size, forward, outside);
-                    for (int i = 0; i < block; ++i) depths[i] = r.z(i);
-                });
+                const auto r = block_at(receivers, at, room, set);
+                of_block.place(r, map.size, forward, outside);
+                for (int i = 0; i < block; ++i) depths[i] = r.z(i);
                 of_block.fetch(map);
                 decode_block(own, of_block.means, depths, visibility);
                 for (int i = 0; i < block; ++i) visibility[i] = select(of_block.compared[i], visibility[i], 1.0f);

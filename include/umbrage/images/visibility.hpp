@@ -15,15 +15,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <type_traits>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/depth/depth32f.hpp>
+#include <umbrage/images/blocks/form_map.hpp>
 #include <umbrage/images/blocks/forms.hpp>
 #include <umbrage/images/blocks/receivers.hpp>
 #include <umbrage/images/blocks/texels.hpp>
-#include <umbrage/images/encode.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/receivers.hpp>
 
@@ -76,15 +75,15 @@ public:
     template <class Receivers>
     void filter_again(const Receivers& receivers, const block_walk& at, float* visibility) const {
         const glm::vec2 last = size_ - margin_, beyond = size_ + margin_;
-        use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
-            for (int i = 0; i < at.count(); ++i) {
-                const glm::vec2 c(r.x(i), r.y(i));
-                if (c.x >= margin_ && c.y >= margin_ && c.x <= last.x && c.y <= last.y) continue;
-                const bool apart = c.x < -margin_ || c.y < -margin_ || c.x > beyond.x || c.y > beyond.y;
-                visibility[i] =
-                    lit_beyond_ && apart && !is_nan(r.z(i)) ? 1.0f : alone_(c, r.z(i), glm::ivec2(at.x + i, at.y));
-            }
-        });
+        receiver_room room;
+        const auto r = block_at(receivers, at, room, isa_constant<isa::base>{});
+        for (int i = 0; i < at.count(); ++i) {
+            const glm::vec2 c(r.x(i), r.y(i));
+            if (c.x >= margin_ && c.y >= margin_ && c.x <= last.x && c.y <= last.y) continue;
+            const bool apart = c.x < -margin_ || c.y < -margin_ || c.x > beyond.x || c.y > beyond.y;
+            visibility[i] =
+                lit_beyond_ && apart && !is_nan(r.z(i)) ? 1.0f : alone_(c, r.z(i), glm::ivec2(at.x + i, at.y));
+        }
     }
 
 private:
@@ -107,16 +106,16 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& e
         typename tile_of<Blocks>::type tile;
         alignas(64) float visibility[std::size_t(tile.rows)][block];
         bool at_edge[ring], again[std::size_t(tile.rows)];
+        receiver_room room;
         block_walk ahead{0, first, out.size.x, tile.rows, last}, at = ahead;
         for (unsigned n = 0; at.y < last; ++n) {
             if (ahead.y < last) {
                 prefetch(receivers, ahead);
-                use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
-                    if constexpr (requires { blocks.place(of_block, placed[0], 0); })
-                        blocks.place(of_block, placed[n % ring], ahead.y);
-                    else blocks.place(of_block, placed[n % ring]);
-                    at_edge[n % ring] = edge.meets(of_block);
-                });
+                const auto of_block = block_at(receivers, ahead, room, set);
+                at_edge[n % ring] = edge.meets(of_block);
+                if constexpr (requires { blocks.place(of_block, placed[0], 0); })
+                    blocks.place(of_block, placed[n % ring], ahead.y);
+                else blocks.place(of_block, placed[n % ring]);
                 ahead.step();
             }
             if (n + 1 < ring) continue;
@@ -143,16 +142,18 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& e
     if (large) finish_streaming();
 }
 
-/// Calls use(visibility, coord, receiver, pixel) for one receiver after the other.
-template <class Receivers, class ParallelFor, class Use>
-void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Use& use) {
+/// One receiver after the other.
+/// @param alone   (coord, receiver, pixel) -> visibility
+template <class Receivers, class ParallelFor, class Alone>
+void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Alone& alone) {
     parallel(out.size.y, [&](int first, int last) {
-        for (block_walk at{0, first, out.size.x}; at.y < last; at.step())
-            use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
-                float* const to = out.row(at.y) + at.x;
-                for (int i = 0; i < at.count(); ++i)
-                    use(to[i], glm::vec2(r.x(i), r.y(i)), r.z(i), glm::ivec2(at.x + i, at.y));
-            });
+        receiver_room room;
+        for (block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
+            const auto r = block_at(receivers, at, room, isa_constant<isa::base>{});
+            float* const to = out.row(at.y) + at.x;
+            for (int i = 0; i < at.count(); ++i)
+                to[i] = alone(glm::vec2(r.x(i), r.y(i)), r.z(i), glm::ivec2(at.x + i, at.y));
+        }
     });
 }
 
@@ -160,10 +161,9 @@ void for_each_receiver(const Receivers& receivers, image_view<float> out, Parall
 template <class Receivers, class Filter, class Fetch, class ParallelFor>
 void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& fetch, image_view<float> out,
                  ParallelFor&& parallel) {
-    for_each_receiver(receivers, out, parallel,
-                      [&](float& visibility, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-                          visibility = filtered(filter, fetch, coord, receiver, pixel);
-                      });
+    for_each_receiver(receivers, out, parallel, [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+        return filtered(filter, fetch, coord, receiver, pixel);
+    });
 }
 
 /// The direction of a map's depth: its encoding's, or the filter's where the encoding has none.
@@ -184,35 +184,33 @@ template <class Filter>
     } else return filter;
 }
 
-/// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
-[[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
-template <int Bits>
-[[nodiscard]] rg_texels texels_of(image_view<const glm::u8vec2> map, const rg<Bits>& encoding) {
-    return {map, Bits, encoding.edge};
+/// All rows through a filter's blocks.
+template <class Receivers, class Blocks, class Edge, class ParallelFor>
+void filter_pieces(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out,
+                   ParallelFor&& parallel) {
+    parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
 }
-template <class Encoding>
-concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) {
-    texels_of(map, e);
-};
 
-/// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
-/// @return   false where it is not, or where the form cannot take such a map
-template <class Form, class Encoding, class ParallelFor, class Use>
-bool with_map(image_view<const typename Encoding::texel> map, const Encoding& encoding, glm::ivec2 receivers,
-              ParallelFor&& parallel, const Use& use) {
-    using texel = typename Encoding::texel;
-    constexpr bool floats = std::is_same_v<Encoding, depth32f>;
-    if (map.size.x < Form::least || map.size.y < Form::least) return false;
-    if constexpr (floats || (Form::need == map_need::texels && has_texels_form<Encoding>)) {
-        if (!texel_bytes<const texel>::fits(map)) return false;
-        use(texels_of(map, encoding));
+/// A filter by its form.
+/// @return   false where the form does not take the map: nothing is done
+template <class Form, class Encoding, class Receivers, class Filter, class Edge, class ParallelFor>
+bool filter_by_form(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                    const Receivers& receivers, const Filter& filter, depth_direction direction, const Edge& edge,
+                    image_view<float> out, ParallelFor&& parallel) {
+    constexpr bool stored = reads_stored<Form, Encoding>;
+    if (!form_takes<Form>(map, stored, out.size)) return false;
+    if constexpr (requires { typename Form::by_bounds; })
+        if (bounds_pay(width_of(filter), map.size, out.size))
+            return filter_by_form<typename Form::by_bounds>(map, encoding, receivers, filter, direction, edge, out,
+                                                            parallel);
+    const form_map<Encoding, stored> of(map, encoding, parallel);
+    const auto tables = Form::tables(of.texels, filter, parallel);
+    if (direction == depth_direction::forward) {
+        const auto blocks = Form::template blocks<depth_direction::forward>(of.texels, filter, tables);
+        filter_pieces(receivers, blocks, edge, out, parallel);
     } else {
-        const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
-        if (area(map.size) >= 16.0 * area(receivers)) return false;
-        const unset_image<float> depths(map.size);
-        if (!texel_bytes<const float>::fits(depths.view)) return false;
-        decode(map, depths.view, encoding, parallel);
-        use(float_texels{depths.view});
+        const auto blocks = Form::template blocks<depth_direction::reversed>(of.texels, filter, tables);
+        filter_pieces(receivers, blocks, edge, out, parallel);
     }
     return true;
 }
@@ -229,21 +227,14 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     const auto clamped_map = decoded(clamped(map), encoding);
     const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared_depth(direction)};
     if constexpr (has_block_form<Filter>) {
-        using form = block_form<Filter>;
         const erased_fetch bordered = erase(bordered_map);
         const bool has_border = outside == outside_map::bordered;
         const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
             return filtered(directed, bordered, coord, receiver, pixel);
         };
         const map_edge edge(alone, filter.reach(), map.size, has_border, has_border);
-        const auto rows = [&](const auto& blocks) {
-            parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
-        };
-        const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
-            if (direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, directed, out.size, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, directed, out.size, parallel, rows);
-        });
+        const bool done =
+            filter_by_form<block_form<Filter>>(map, encoding, receivers, directed, direction, edge, out, parallel);
         if (!done) filter_each(receivers, directed, has_border ? bordered : erase(clamped_map), out, parallel);
     } else if (outside == outside_map::bordered) {
         filter_each(receivers, directed, bordered_map, out, parallel);

@@ -221,13 +221,12 @@ private:
 };
 
 template <>
-struct every_texel_form<filters::box> {
+struct every_texel_form<filters::box> : without_tables {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::box& filter, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        use(box_blocks<Direction>{map.map, clamp_int(filter.radius, max_box_radius)});
+    template <depth_direction Direction>
+    [[nodiscard]] static box_blocks<Direction> blocks(const float_texels& map, const filters::box& filter, no_tables) {
+        return {map.map, clamp_int(filter.radius, max_box_radius)};
     }
 };
 

@@ -185,7 +185,7 @@ private:
             for (int i = 0; i < block; ++i)
                 offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
                                            clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
-            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            texels.load_one(memory, offsets);
             move_texels(
                 at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + tap.x[i]) >> 8; },
                 [&](int i) UMBRAGE_INLINE { return (at.y[i] + tap.y[i]) >> 8; }, texels.depths);
@@ -208,11 +208,14 @@ template <>
 struct every_texel_form<filters::disc> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::disc& filter, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        const disc_table taps(points_of_disc(filter.points).begin(), filter.points, filter.radius_texels);
-        use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
+    template <class ParallelFor>
+    [[nodiscard]] static disc_table tables(const float_texels&, const filters::disc& filter, ParallelFor&&) {
+        return {points_of_disc(filter.points).begin(), filter.points, filter.radius_texels};
+    }
+    template <depth_direction Direction>
+    [[nodiscard]] static disc_blocks<Direction> blocks(const float_texels& map, const filters::disc& filter,
+                                                       const disc_table& taps) {
+        return {map.map, taps, filter.points, static_cast<int>(filter.reach())};
     }
 };
 

@@ -3,11 +3,11 @@
 // The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
 // none is called receiver by receiver.
 //
-// A form states what it needs of a map and the smallest width and height that it can take. with_blocks() hands its
-// blocks to `use`; it gets the size of the receivers' image, by which it may choose them, as hierarchical.hpp does.
-// Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs floats, it gets
-// const float_texels&. A form clamps texels to the map's edge; visibility() filters again what may lie outside a
-// bordered map, by the filter's reach().
+// A form states what it needs of a map and the smallest width and height that it can take. blocks() makes its blocks,
+// of a map, a filter and tables() that these look things up in. Where a form needs texels, the map is float_texels or
+// rg_texels, as it is stored; where it needs floats, float_texels. A form clamps texels to the map's edge; visibility()
+// filters again what may lie outside a bordered map, by the filter's reach(). A form may name another, by_bounds, which
+// runs where bounds_pay(): see hierarchical.hpp.
 //
 // Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
 // where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
@@ -23,12 +23,12 @@
 // unit/images/blocks/form and form/coherent hold each form to its filter, bit by bit.
 //
 //     template <>
-//     struct block_form<filters::pcf_2x2> {
+//     struct block_form<filters::pcf_2x2> : without_tables {
 //         static constexpr map_need need = map_need::texels;
 //         static constexpr int least = 2;
-//         template <depth_direction Direction, class Map, class ParallelFor, class Use>
-//         static void with_blocks(const Map& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&, const Use& use) {
-//             use(pcf_2x2_blocks<Direction, Map>{map});
+//         template <depth_direction Direction, class Map>
+//         static pcf_2x2_blocks<Direction, Map> blocks(const Map& map, const filters::pcf_2x2&, no_tables) {
+//             return {map};
 //         }
 //     };
 //
@@ -48,6 +48,15 @@ struct block_form;
 /// The form of a filter that compares every texel, where hierarchical.hpp has another beside it.
 template <class Filter>
 struct every_texel_form;
+
+/// Of forms whose blocks look nothing up.
+struct no_tables {};
+struct without_tables {
+    template <class Filter, class ParallelFor>
+    [[nodiscard]] static no_tables tables(const auto&, const Filter&, ParallelFor&&) {
+        return {};
+    }
+};
 
 /// Of blocks that leave nothing for later: a row.
 struct one_row {

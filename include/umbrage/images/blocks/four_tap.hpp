@@ -46,13 +46,13 @@ struct four_tap_blocks {
 };
 
 template <>
-struct block_form<filters::four_tap> {
+struct block_form<filters::four_tap> : without_tables {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 1;
-    template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::four_tap& filter, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        use(four_tap_blocks<Direction, Map>{map, filter.offsets});
+    template <depth_direction Direction, class Map>
+    [[nodiscard]] static four_tap_blocks<Direction, Map> blocks(const Map& map, const filters::four_tap& filter,
+                                                                no_tables) {
+        return {map, filter.offsets};
     }
 };
 

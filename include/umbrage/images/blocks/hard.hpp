@@ -34,7 +34,7 @@ struct placed_tap {
     UMBRAGE_INLINE void count(const Map& map, const float* z, std::int32_t* lit) const {
         const texel_bytes memory(map.map);
         loaded_texels<Map> texels(map);
-        texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+        texels.load_one(memory, offsets);
         for (int i = 0; i < block; ++i) lit[i] += Test::lit(texels.receiver(z[i]), texels.one(i));
     }
 };
@@ -65,12 +65,12 @@ struct hard_blocks {
 };
 
 template <>
-struct block_form<filters::hard> {
+struct block_form<filters::hard> : without_tables {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 1;
-    template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::hard&, glm::ivec2, ParallelFor&&, const Use& use) {
-        use(hard_blocks<Direction, Map>{map});
+    template <depth_direction Direction, class Map>
+    [[nodiscard]] static hard_blocks<Direction, Map> blocks(const Map& map, const filters::hard&, no_tables) {
+        return {map};
     }
 };
 

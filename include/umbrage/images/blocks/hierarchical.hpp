@@ -39,7 +39,7 @@ UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std:
     const texel_bytes<const glm::vec2> memory(tree.bounds.view);
     alignas(64) glm::vec2 bounds[block];
     std::int32_t any = 0;
-    gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
+    gather<std::uint64_t>(memory, offsets, bounds);
     for (int i = 0; i < block; ++i) {
         const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
         const std::int32_t dark = Test::none_lit(depths[i], bounds[i].x, bounds[i].y);
@@ -174,7 +174,7 @@ struct hierarchical_disc_blocks {
         alignas(64) std::int32_t offsets[block], any;
     };
     const box_bounds& tree;
-    const disc_blocks<Direction>& every_point;
+    disc_blocks<Direction> every_point;
     reached_texels reached;
 
     template <class Receivers>
@@ -224,32 +224,35 @@ struct hierarchical_disc_blocks {
     return area(map) <= (width < 9 ? 2.5 : 16.0) * area(receivers);
 }
 
+/// Bounds of a map, and the tables of the blocks that read every texel.
+template <class Tables>
+struct bounds_and {
+    box_bounds tree;
+    Tables other;
+};
+
 /// The form of a filter that asks bounds first, whether it pays or not.
 template <class Filter>
 struct hierarchical_form : every_texel_form<Filter> {
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2 receivers, ParallelFor&& parallel,
-                            const Use& use) {
-        const box_bounds tree(map.map, width_of(filter), parallel);
-        every_texel_form<Filter>::template with_blocks<Direction>(
-            map, filter, receivers, parallel, [&]<class Blocks>(const Blocks& every_texel) {
-                if constexpr (std::is_same_v<Filter, filters::disc>)
-                    use(hierarchical_disc_blocks<Direction>{tree, every_texel, reached_texels(filter.reach())});
-                else use(hierarchical_blocks<Blocks>{tree, every_texel});
-            });
+    using reads = every_texel_form<Filter>;
+    template <class ParallelFor>
+    [[nodiscard]] static auto tables(const float_texels& map, const Filter& filter, ParallelFor&& parallel) {
+        return bounds_and<decltype(reads::tables(map, filter, parallel))>{
+            box_bounds(map.map, width_of(filter), parallel), reads::tables(map, filter, parallel)};
+    }
+    template <depth_direction Direction, class Tables>
+    [[nodiscard]] static auto blocks(const float_texels& map, const Filter& filter, const Tables& tables) {
+        const auto every_texel = reads::template blocks<Direction>(map, filter, tables.other);
+        if constexpr (std::is_same_v<Filter, filters::disc>)
+            return hierarchical_disc_blocks<Direction>{tables.tree, every_texel, reached_texels(filter.reach())};
+        else return hierarchical_blocks<std::remove_const_t<decltype(every_texel)>>{tables.tree, every_texel};
     }
 };
 
-/// The form that takes less time.
+/// The form that reads every texel, or the other where bounds_pay().
 template <class Filter>
 struct faster_form : every_texel_form<Filter> {
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2 receivers, ParallelFor&& parallel,
-                            const Use& use) {
-        if (bounds_pay(width_of(filter), map.map.size, receivers))
-            hierarchical_form<Filter>::template with_blocks<Direction>(map, filter, receivers, parallel, use);
-        else every_texel_form<Filter>::template with_blocks<Direction>(map, filter, receivers, parallel, use);
-    }
+    using by_bounds = hierarchical_form<Filter>;
 };
 template <>
 struct block_form<filters::box> : faster_form<filters::box> {};

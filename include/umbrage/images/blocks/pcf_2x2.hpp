@@ -48,9 +48,7 @@ struct pcf_2x2_blocks {
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         const texel_bytes memory(map.map);
         loaded_texels<Map> low(map), high(map);
-        loaded_texels<Map>::load_two(
-            low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }, high,
-            [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
+        loaded_texels<Map>::load_two(memory, at.offsets, low, high);
         for (int i = 0; i < block; ++i) {
             const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
             const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
@@ -63,12 +61,12 @@ struct pcf_2x2_blocks {
 };
 
 template <>
-struct block_form<filters::pcf_2x2> {
+struct block_form<filters::pcf_2x2> : without_tables {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 2;
-    template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&, const Use& use) {
-        use(pcf_2x2_blocks<Direction, Map>{map});
+    template <depth_direction Direction, class Map>
+    [[nodiscard]] static pcf_2x2_blocks<Direction, Map> blocks(const Map& map, const filters::pcf_2x2&, no_tables) {
+        return {map};
     }
 };
 

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <umbrage/images/blocks/forms.hpp>
 #include <umbrage/images/blocks/planes.hpp>
@@ -21,7 +22,7 @@ struct plane_blocks {
     struct placed : Blocks::placed {
         plane_block planes;
     };
-    const Blocks& of;
+    Blocks of;
     float cleared;  ///< depth of the far plane
 
     template <class Receivers>
@@ -125,43 +126,56 @@ concept has_plane_form = requires {
     plane_form<Filter>::need;
 };
 
-template <>
-struct plane_form<filters::window> : every_texel_form<filters::window> {};
-template <>
-struct plane_form<filters::disc> : every_texel_form<filters::disc> {};
-template <>
-struct plane_form<filters::pcss> : block_form<filters::pcss> {};
-template <>
-struct plane_form<filters::dpcf> : block_form<filters::dpcf> {};
+/// A form's blocks, of receivers with planes.
+template <class Form>
+struct on_planes : Form {
+    template <depth_direction Direction, class Filter, class Tables>
+    [[nodiscard]] static auto blocks(const float_texels& map, const Filter& filter, const Tables& tables) {
+        using of_form = decltype(Form::template blocks<Direction>(map, filter, tables));
+        return plane_blocks<of_form>{Form::template blocks<Direction>(map, filter, tables), cleared_depth(Direction)};
+    }
+};
 
-/// A window of one weight: the same four texels, weights and sum.
-template <>
-struct plane_form<filters::pcf_2x2> {
+/// pcf_2x2 as a window of one weight: the same four texels, weights and sum.
+struct one_weight_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 2;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        constexpr window_row one = make_window_row(1, {1.0f});
-        const window_table weights(one);
-        use(window_blocks<Direction>{map.map, one, weights});
+    static constexpr window_row row = make_window_row(1, {1.0f});
+    template <class ParallelFor>
+    [[nodiscard]] static window_table tables(const float_texels&, const filters::pcf_2x2&, ParallelFor&&) {
+        return window_table(row);
+    }
+    template <depth_direction Direction>
+    [[nodiscard]] static window_blocks<Direction> blocks(const float_texels& map, const filters::pcf_2x2&,
+                                                         const window_table& weights) {
+        return {map.map, row, weights};
     }
 };
 
-template <class Filter>
-struct plane_box_form {
+/// Boxes, and the receiver's own texel as one of radius 0.
+struct plane_box_form : without_tables {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2, ParallelFor&&, const Use& use) {
-        int radius = 0;
-        if constexpr (requires { filter.radius; }) radius = clamp_int(filter.radius, max_box_radius);
-        use(plane_box_blocks<Direction>{map.map, radius});
+    template <depth_direction Direction, class Filter>
+    [[nodiscard]] static plane_box_blocks<Direction> blocks(const float_texels& map, const Filter& filter, no_tables) {
+        if constexpr (std::is_same_v<Filter, filters::hard>) return {map.map, 0};
+        else return {map.map, clamp_int(filter.radius, max_box_radius)};
     }
 };
+
 template <>
-struct plane_form<filters::hard> : plane_box_form<filters::hard> {};
+struct plane_form<filters::window> : on_planes<every_texel_form<filters::window>> {};
 template <>
-struct plane_form<filters::box> : plane_box_form<filters::box> {};
+struct plane_form<filters::disc> : on_planes<every_texel_form<filters::disc>> {};
+template <>
+struct plane_form<filters::pcss> : on_planes<block_form<filters::pcss>> {};
+template <>
+struct plane_form<filters::dpcf> : on_planes<block_form<filters::dpcf>> {};
+template <>
+struct plane_form<filters::pcf_2x2> : on_planes<one_weight_form> {};
+template <>
+struct plane_form<filters::hard> : on_planes<plane_box_form> {};
+template <>
+struct plane_form<filters::box> : on_planes<plane_box_form> {};
 
 }  // namespace umbrage::detail

@@ -2,11 +2,14 @@
 //
 // Blocks of 64 receivers, wherever they come from: x(i), y(i) in texels, z(i) depth.
 //
-//     use_receivers(receivers, walk, set, [&](const auto& of_block) { blocks.place(of_block, placed); });
+//     receiver_room room;
+//     blocks.place(block_at(receivers, walk, room, set), placed);
 //
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include <glm/vec2.hpp>
@@ -20,7 +23,7 @@
 
 namespace umbrage::detail {
 
-/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
+/// A block of receivers, one after the other as in an image. Element by element: GCC does not vectorise whole vec3s.
 struct receiver_texels {
     const glm::vec3* first;
     [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
@@ -36,7 +39,7 @@ struct receiver_rows {
     [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
 };
 
-/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
+/// The same in memory of its own.
 struct receiver_block {
     alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
     [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
@@ -104,55 +107,69 @@ struct block_walk {
     }
 };
 
-/// Hands a block of receivers on: whole ones where they are, others as a copy.
-template <class Receivers, class Use>
-UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
-    if (count == block) return use(receivers);
-    receiver_block copy;
-    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
-    use(copy);
+/// Memory for a block of receivers that cannot be read where they are.
+struct receiver_room {
+    alignas(64) float rows[5][block];
+    alignas(64) glm::vec3 texels[block];
+};
+
+/// What `count` receivers have there: of a whole block as it is, else a copy, with zeros behind it that reach no
+/// result.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE inline const T* whole_block(const T* from, int count, T* room) {
+    if (count == block) return from;
+    for (int i = 0; i < block; ++i) room[i] = T(0);
+    for (int i = 0; i < count; ++i) room[i] = from[i];
+    return room;
 }
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa,
-                                         const Use& use) {
-    const receiver_texels receivers{from.row(at.y) + at.x};
-    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
-    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
-    copy.copy(receivers);
-    use(copy);
+
+/// A block of receivers as values that are valid as long as `room` is.
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline auto block_at(const image_view<const glm::vec3>& from, const block_walk& at,
+                                                  receiver_room& room, isa_constant<Set>) {
+    const receiver_texels texels{whole_block(from.row(at.y) + at.x, at.count(), room.texels)};
+    if constexpr (Set == isa::base) {  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i)
+            room.rows[0][i] = texels.x(i), room.rows[1][i] = texels.y(i), room.rows[2][i] = texels.z(i);
+        return receiver_rows{room.rows[0], room.rows[1], room.rows[2]};
+    } else return texels;
 }
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
-    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(),
-              use);
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline receiver_rows block_at(const receiver_planes& from, const block_walk& at,
+                                                           receiver_room& room, isa_constant<Set>) {
+    return {whole_block(from.x.row(at.y) + at.x, at.count(), room.rows[0]),
+            whole_block(from.y.row(at.y) + at.x, at.count(), room.rows[1]),
+            whole_block(from.depth.row(at.y) + at.x, at.count(), room.rows[2])};
 }
 
 /// receiver_at for a block.
 template <class = on_use>
-inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
-    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
+inline void load(const depth_receivers& seen, const block_walk& at, receiver_room& room) {
+    if (at.count() < block) std::memset(room.rows[2], 0, sizeof room.rows[2]);
+    copy_floats(room.rows[2], seen.depth.row(at.y) + at.x, at.count());
     on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
         const glm::mat4 m = seen.matrix;
         const float bias = seen.bias;
         const float y = static_cast<float>(at.y) + 0.5f;
         for (int i = 0; i < block; ++i) {
-            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
+            const float x = static_cast<float>(at.x + i) + 0.5f, depth = room.rows[2][i];
             const auto sum = [&](glm::length_t k)
                                  UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
             const float w = sum(3);
             const auto bits = detail::bit_cast<std::int32_t>(w);
             const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
-            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
-            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
-            r.zs[i] = masked(sum(2) / w, in_front) - bias;
+            room.rows[0][i] = select(in_front, sum(0) / w, 65536.0f);
+            room.rows[1][i] = select(in_front, sum(1) / w, 65536.0f);
+            room.rows[2][i] = masked(sum(2) / w, in_front) - bias;
         }
     });
 }
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
-    receiver_block r;
-    load(seen, at, r);
-    use(r);
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline receiver_rows block_at(const depth_receivers& seen, const block_walk& at,
+                                                           receiver_room& room, isa_constant<Set>) {
+    load(seen, at, room);
+    return {room.rows[0], room.rows[1], room.rows[2]};
 }
 
 /// Starts to fetch the receivers some blocks ahead, or of the next tile: hardware prefetching stops at the end of a

@@ -35,10 +35,6 @@ struct soft_blocks : disc_blocks<Direction> {
     float per_code;
     std::int32_t min_radius, max_radius;
 
-    /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
-    static disc_table turned_points(const Filter& filter) {
-        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
-    }
     soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
         : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
           per_code(filter.softness.per_code),
@@ -61,45 +57,43 @@ private:
         return above < max_radius ? above : max_radius;
     }
 
-    /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.
-    template <class Placed, class Use>
-    UMBRAGE_INLINE void for_each_tap(const Placed& at, const std::int32_t* radii, const Use& use) const {
-        const float_texels of_map{this->map};
+    /// Loads the texels below a point of each receiver's disc.
+    template <class Placed>
+    UMBRAGE_INLINE void load_tap(const Placed& at, int point, const std::int32_t* radii,
+                                 loaded_texels<float_texels>& texels) const {
         const texel_bytes memory(this->map);
         const int last_x = this->map.size.x - 1, last_y = this->map.size.y - 1;
-        loaded_texels<float_texels> texels(of_map);
         alignas(64) std::int32_t offsets[block];
-        for (int p = 0; p < this->points; ++p) {
-            const disc_table::tap& tap = this->taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
-            for (int i = 0; i < block; ++i)
-                offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
-                                           clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
-            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
-            move_texels(
-                at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8; },
-                [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8; }, texels.depths);
-            use(texels);
-        }
+        const disc_table::tap& tap = this->taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(point)];
+        for (int i = 0; i < block; ++i)
+            offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
+                                       clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
+        texels.load_one(memory, offsets);
+        move_texels(
+            at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8; },
+            [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8; }, texels.depths);
     }
 
     template <class Placed>
     UMBRAGE_INLINE void soften(const Placed& at, float* visibility) const {
         alignas(64) std::int32_t codes[block], searched[block], radii[block], blocked[block]{}, sums[block]{};
+        loaded_texels<float_texels> texels(float_texels{this->map});
         for (int i = 0; i < block; ++i) {
             codes[i] = distance_code_of(at.z[i]);
             searched[i] = radius(codes[i]);
         }
-        for_each_tap(at, searched, [&](const auto& texels) UMBRAGE_INLINE {
+        for (int p = 0; p < this->points; ++p) {
+            load_tap(at, p, searched, texels);
             std::int32_t found = 0;
             for (int i = 0; i < block; ++i) {
                 const std::int32_t before = 1 - test::lit(at.z[i], texels.one(i));
                 blocked[i] += before;
                 found |= before;
             }
-            if (found == 0) return;  // most blocks of a picture are lit
+            if (found == 0) continue;  // most blocks of a picture are lit
             for (int i = 0; i < block; ++i)
                 sums[i] += distance_code_of(texels.one(i)) & -(1 - test::lit(at.z[i], texels.one(i)));
-        });
+        }
         std::int32_t any = 0;
         for (int i = 0; i < block; ++i) {
             any |= blocked[i] & at.compared[i];
@@ -109,9 +103,10 @@ private:
             for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
         } else if constexpr (filters_again) {
             alignas(64) std::int32_t lit[block]{};
-            for_each_tap(at, radii, [&](const auto& texels) UMBRAGE_INLINE {
+            for (int p = 0; p < this->points; ++p) {
+                load_tap(at, p, radii, texels);
                 for (int i = 0; i < block; ++i) lit[i] += test::lit(at.z[i], texels.one(i));
-            });
+            }
             const float share = 1.0f / static_cast<float>(this->points);
             UMBRAGE_NO_OVERLAP
             for (int i = 0; i < block; ++i)
@@ -136,11 +131,15 @@ template <class Filter>
 struct soft_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2, ParallelFor&&, const Use& use) {
-        using blocks = soft_blocks<Direction, Filter>;
-        const disc_table turned = blocks::turned_points(filter);
-        use(blocks(map.map, turned, filter));
+    /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
+    template <class ParallelFor>
+    [[nodiscard]] static disc_table tables(const float_texels&, const Filter& filter, ParallelFor&&) {
+        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
+    }
+    template <depth_direction Direction>
+    [[nodiscard]] static soft_blocks<Direction, Filter> blocks(const float_texels& map, const Filter& filter,
+                                                               const disc_table& turned) {
+        return {map.map, turned, filter};
     }
 };
 template <>

@@ -4,7 +4,7 @@
 // is decoded to floats first. A block's texels are loaded word by word, and compared in loops that vectorise.
 //
 //     umbrage::detail::loaded_texels<float_texels> texels(map);
-//     texels.load_one([&](int i) { return memory.at(offsets[i]); });
+//     texels.load_one(memory, offsets);
 //     lit += test::lit(texels.receiver(depth), texels.one(i));
 //
 #pragma once
@@ -63,35 +63,48 @@ struct rg_texels {
     float edge;
 };
 
-/// Where a block of words comes from, at(i), and where it goes.
-template <class At>
-struct gathered {
-    void* to;
-    At at;
-};
-template <class At>
-gathered(void*, At) -> gathered<At>;
+/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+template <class T>
+struct texel_bytes {
+    const std::byte* data;
+    std::int32_t stride;
 
-/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once
-/// than they can hold.
-template <class Word, class... At>
-UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
-    const auto word = [](const void* from) UMBRAGE_INLINE {
+    explicit texel_bytes(const image_view<T>& map)
+        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+    static bool fits(glm::ivec2 size, std::ptrdiff_t stride) {
+        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
+        return size.x <= highest / std::ptrdiff_t(sizeof(T)) && size.y <= highest / 2 &&
+               (stride < 0 ? -stride : stride) <= highest / (size.y + 1);
+    }
+    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
+        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+    }
+};
+
+/// A block of words from where offsets point to, and blocks of those in the rows below, in turns. As many words as fill
+/// a small register make one store: left alone, compilers want more at once than they can hold.
+template <class Word, class T, class... To>
+UMBRAGE_INLINE inline void gather(const texel_bytes<T>& memory, const std::int32_t* offsets, To*... rows) {
+    using words = lanes_of<Word, 16 / sizeof(Word)>;
+    constexpr std::size_t some = sizeof(words) / sizeof(Word);
+    const auto word = [](const std::byte* from) UMBRAGE_INLINE {
         Word w;
         std::memcpy(&w, from, sizeof w);
         return w;
     };
-    using words = lanes_of<Word, 16 / sizeof(Word)>;
-    constexpr std::size_t some = sizeof(words) / sizeof(Word);
-    const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
-        const words together{word(from.at(i + static_cast<int>(I)))...};
-        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together,
+    const auto load = [&]<std::size_t... I>(int i, int row, void* to, std::index_sequence<I...>) UMBRAGE_INLINE {
+        const std::byte* const from = memory.data + std::ptrdiff_t(row) * memory.stride;
+        const words together{word(from + offsets[i + static_cast<int>(I)])...};
+        std::memcpy(static_cast<std::byte*>(to) + static_cast<std::size_t>(i) * sizeof(Word), &together,
                     sizeof together);
     };
-    for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
+    for (int i = 0; i < block; i += static_cast<int>(some)) {
+        int row = 0;
+        (load(i, row++, rows, std::make_index_sequence<some>{}), ...);
+    }
 }
 
-/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbors of two rows.
+/// What is loaded for a block of receivers, from where offsets point to: a texel each, or two neighbors of two rows.
 template <class Map>
 struct loaded_texels;
 
@@ -100,13 +113,12 @@ template <>
 struct loaded_texels<float_texels> {
     alignas(64) float depths[2 * block];
     explicit loaded_texels(const float_texels&) {}
-    template <class At>
-    UMBRAGE_INLINE void load_one(const At& at) {
-        gather<std::uint32_t>(gathered{depths, at});
+    UMBRAGE_INLINE void load_one(const texel_bytes<const float>& memory, const std::int32_t* offsets) {
+        gather<std::uint32_t>(memory, offsets, depths);
     }
-    template <class At, class Below>
-    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
-        gather<std::uint64_t>(gathered{low.depths, at}, gathered{high.depths, below});
+    static UMBRAGE_INLINE void load_two(const texel_bytes<const float>& memory, const std::int32_t* offsets,
+                                        loaded_texels& low, loaded_texels& high) {
+        gather<std::uint64_t>(memory, offsets, low.depths, high.depths);
     }
     UMBRAGE_INLINE float receiver(float depth) const { return depth; }
     UMBRAGE_INLINE float one(int i) const { return depths[i]; }
@@ -127,17 +139,16 @@ struct loaded_texels<rg_texels> {
 
     explicit UMBRAGE_INLINE loaded_texels(const rg_texels& map)
         : edge(map.edge), scale(static_cast<float>(1 << map.bits)), up(map.bits - 8), high_bytes(low_bytes << up) {}
-    template <class At>
-    UMBRAGE_INLINE void load_one(const At& at) {
+    UMBRAGE_INLINE void load_one(const texel_bytes<const glm::u8vec2>& memory, const std::int32_t* offsets) {
         for (int i = 0; i < block; ++i) {
             std::uint16_t word;
-            std::memcpy(&word, at(i), sizeof word);
+            std::memcpy(&word, memory.data + offsets[i], sizeof word);
             words[i] = word;
         }
     }
-    template <class At, class Below>
-    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
-        gather<std::uint32_t>(gathered{low.words, at}, gathered{high.words, below});
+    static UMBRAGE_INLINE void load_two(const texel_bytes<const glm::u8vec2>& memory, const std::int32_t* offsets,
+                                        loaded_texels& low, loaded_texels& high) {
+        gather<std::uint32_t>(memory, offsets, low.words, high.words);
     }
     UMBRAGE_INLINE float receiver(float depth) const { return depth * scale; }
     UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
@@ -151,26 +162,6 @@ struct loaded_texels<rg_texels> {
     UMBRAGE_INLINE float number(std::uint32_t code) const {
         return static_cast<float>(static_cast<std::int32_t>(code)) + edge;
     }
-};
-
-/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
-template <class T>
-struct texel_bytes {
-    const std::byte* data;
-    std::int32_t stride;
-
-    explicit texel_bytes(const image_view<T>& map)
-        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
-    static bool fits(const image_view<T>& map) {
-        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
-        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
-               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
-    }
-    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
-        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
-    }
-    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
-    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
 };
 
 /// Texel inside the map, without the assertion of image_view.

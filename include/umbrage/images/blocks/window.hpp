@@ -189,11 +189,14 @@ template <>
 struct every_texel_form<filters::window> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::window& filter, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        const window_table weights(filter.row);
-        use(window_blocks<Direction>{map.map, filter.row, weights});
+    template <class ParallelFor>
+    [[nodiscard]] static window_table tables(const float_texels&, const filters::window& filter, ParallelFor&&) {
+        return window_table(filter.row);
+    }
+    template <depth_direction Direction>
+    [[nodiscard]] static window_blocks<Direction> blocks(const float_texels& map, const filters::window& filter,
+                                                         const window_table& weights) {
+        return {map.map, filter.row, weights};
     }
 };
 

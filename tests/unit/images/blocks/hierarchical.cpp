@@ -33,13 +33,8 @@ int differing(const Filter& filter, const image<float>& map, const image<glm::ve
 /// Whether visibility() would filter so many receivers by bounds.
 template <class Filter>
 bool by_bounds(const Filter& filter, glm::ivec2 map_size, glm::ivec2 receivers) {
-    const image<float> map(map_size);
-    bool chosen = false;
-    umbrage::detail::block_form<Filter>::template with_blocks<umbrage::depth_direction::forward>(
-        umbrage::detail::float_texels{map}, filter, receivers, umbrage::serial{}, [&](const auto& blocks) {
-            chosen = requires { blocks.tree; };
-        });
-    return chosen;
+    static_assert(requires { typename umbrage::detail::block_form<Filter>::by_bounds; });
+    return umbrage::detail::bounds_pay(umbrage::detail::width_of(filter), map_size, receivers);
 }
 
 }  // namespace
