@@ -15010,11 +15010,11 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 // The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
 // none is called receiver by receiver.
 //
-// A form states what it needs of a map and the smallest width and height that it can take. with_blocks() hands its
-// blocks to `use`; it gets the size of the receivers' image, by which it may choose them, as hierarchical.hpp does.
-// Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs floats, it gets
-// const float_texels&. A form clamps texels to the map's edge; visibility() filters again what may lie outside a
-// bordered map, by the filter's reach().
+// A form states what it needs of a map and the smallest width and height that it can take. blocks() makes its blocks,
+// of a map, a filter and tables() that these look things up in. Where a form needs texels, the map is float_texels or
+// rg_texels, as it is stored; where it needs floats, float_texels. A form clamps texels to the map's edge; visibility()
+// filters again what may lie outside a bordered map, by the filter's reach(). A form may name another, by_bounds, which
+// runs where bounds_pay(): see hierarchical.hpp.
 //
 // Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
 // where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
@@ -15030,12 +15030,12 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 // unit/images/blocks/form and form/coherent hold each form to its filter, bit by bit.
 //
 //     template <>
-//     struct block_form<filters::pcf_2x2> {
+//     struct block_form<filters::pcf_2x2> : without_tables {
 //         static constexpr map_need need = map_need::texels;
 //         static constexpr int least = 2;
-//         template <depth_direction Direction, class Map, class ParallelFor, class Use>
-//         static void with_blocks(const Map& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&, const Use& use) {
-//             use(pcf_2x2_blocks<Direction, Map>{map});
+//         template <depth_direction Direction, class Map>
+//         static pcf_2x2_blocks<Direction, Map> blocks(const Map& map, const filters::pcf_2x2&, no_tables) {
+//             return {map};
 //         }
 //     };
 //
@@ -15054,6 +15054,15 @@ struct block_form;
 /// The form of a filter that compares every texel, where hierarchical.hpp has another beside it.
 template <class Filter>
 struct every_texel_form;
+
+/// Of forms whose blocks look nothing up.
+struct no_tables {};
+struct without_tables {
+    template <class Filter, class ParallelFor>
+    [[nodiscard]] static no_tables tables(const auto&, const Filter&, ParallelFor&&) {
+        return {};
+    }
+};
 
 /// Of blocks that leave nothing for later: a row.
 struct one_row {
@@ -15081,7 +15090,7 @@ concept has_block_form = requires {
 // is decoded to floats first. A block's texels are loaded word by word, and compared in loops that vectorise.
 //
 //     umbrage::detail::loaded_texels<float_texels> texels(map);
-//     texels.load_one([&](int i) { return memory.at(offsets[i]); });
+//     texels.load_one(memory, offsets);
 //     lit += test::lit(texels.receiver(depth), texels.one(i));
 //
 
@@ -15123,35 +15132,48 @@ struct rg_texels {
     float edge;
 };
 
-/// Where a block of words comes from, at(i), and where it goes.
-template <class At>
-struct gathered {
-    void* to;
-    At at;
-};
-template <class At>
-gathered(void*, At) -> gathered<At>;
+/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+template <class T>
+struct texel_bytes {
+    const std::byte* data;
+    std::int32_t stride;
 
-/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once
-/// than they can hold.
-template <class Word, class... At>
-UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
-    const auto word = [](const void* from) UMBRAGE_INLINE {
+    explicit texel_bytes(const image_view<T>& map)
+        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+    static bool fits(glm::ivec2 size, std::ptrdiff_t stride) {
+        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
+        return size.x <= highest / std::ptrdiff_t(sizeof(T)) && size.y <= highest / 2 &&
+               (stride < 0 ? -stride : stride) <= highest / (size.y + 1);
+    }
+    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
+        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+    }
+};
+
+/// A block of words from where offsets point to, and blocks of those in the rows below, in turns. As many words as fill
+/// a small register make one store: left alone, compilers want more at once than they can hold.
+template <class Word, class T, class... To>
+UMBRAGE_INLINE inline void gather(const texel_bytes<T>& memory, const std::int32_t* offsets, To*... rows) {
+    using words = lanes_of<Word, 16 / sizeof(Word)>;
+    constexpr std::size_t some = sizeof(words) / sizeof(Word);
+    const auto word = [](const std::byte* from) UMBRAGE_INLINE {
         Word w;
         std::memcpy(&w, from, sizeof w);
         return w;
     };
-    using words = lanes_of<Word, 16 / sizeof(Word)>;
-    constexpr std::size_t some = sizeof(words) / sizeof(Word);
-    const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
-        const words together{word(from.at(i + static_cast<int>(I)))...};
-        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together,
+    const auto load = [&]<std::size_t... I>(int i, int row, void* to, std::index_sequence<I...>) UMBRAGE_INLINE {
+        const std::byte* const from = memory.data + std::ptrdiff_t(row) * memory.stride;
+        const words together{word(from + offsets[i + static_cast<int>(I)])...};
+        std::memcpy(static_cast<std::byte*>(to) + static_cast<std::size_t>(i) * sizeof(Word), &together,
                     sizeof together);
     };
-    for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
+    for (int i = 0; i < block; i += static_cast<int>(some)) {
+        int row = 0;
+        (load(i, row++, rows, std::make_index_sequence<some>{}), ...);
+    }
 }
 
-/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbors of two rows.
+/// What is loaded for a block of receivers, from where offsets point to: a texel each, or two neighbors of two rows.
 template <class Map>
 struct loaded_texels;
 
@@ -15160,13 +15182,12 @@ template <>
 struct loaded_texels<float_texels> {
     alignas(64) float depths[2 * block];
     explicit loaded_texels(const float_texels&) {}
-    template <class At>
-    UMBRAGE_INLINE void load_one(const At& at) {
-        gather<std::uint32_t>(gathered{depths, at});
+    UMBRAGE_INLINE void load_one(const texel_bytes<const float>& memory, const std::int32_t* offsets) {
+        gather<std::uint32_t>(memory, offsets, depths);
     }
-    template <class At, class Below>
-    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
-        gather<std::uint64_t>(gathered{low.depths, at}, gathered{high.depths, below});
+    static UMBRAGE_INLINE void load_two(const texel_bytes<const float>& memory, const std::int32_t* offsets,
+                                        loaded_texels& low, loaded_texels& high) {
+        gather<std::uint64_t>(memory, offsets, low.depths, high.depths);
     }
     UMBRAGE_INLINE float receiver(float depth) const { return depth; }
     UMBRAGE_INLINE float one(int i) const { return depths[i]; }
@@ -15187,17 +15208,16 @@ struct loaded_texels<rg_texels> {
 
     explicit UMBRAGE_INLINE loaded_texels(const rg_texels& map)
         : edge(map.edge), scale(static_cast<float>(1 << map.bits)), up(map.bits - 8), high_bytes(low_bytes << up) {}
-    template <class At>
-    UMBRAGE_INLINE void load_one(const At& at) {
+    UMBRAGE_INLINE void load_one(const texel_bytes<const glm::u8vec2>& memory, const std::int32_t* offsets) {
         for (int i = 0; i < block; ++i) {
             std::uint16_t word;
-            std::memcpy(&word, at(i), sizeof word);
+            std::memcpy(&word, memory.data + offsets[i], sizeof word);
             words[i] = word;
         }
     }
-    template <class At, class Below>
-    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
-        gather<std::uint32_t>(gathered{low.words, at}, gathered{high.words, below});
+    static UMBRAGE_INLINE void load_two(const texel_bytes<const glm::u8vec2>& memory, const std::int32_t* offsets,
+                                        loaded_texels& low, loaded_texels& high) {
+        gather<std::uint32_t>(memory, offsets, low.words, high.words);
     }
     UMBRAGE_INLINE float receiver(float depth) const { return depth * scale; }
     UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
@@ -15211,26 +15231,6 @@ struct loaded_texels<rg_texels> {
     UMBRAGE_INLINE float number(std::uint32_t code) const {
         return static_cast<float>(static_cast<std::int32_t>(code)) + edge;
     }
-};
-
-/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
-template <class T>
-struct texel_bytes {
-    const std::byte* data;
-    std::int32_t stride;
-
-    explicit texel_bytes(const image_view<T>& map)
-        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
-    static bool fits(const image_view<T>& map) {
-        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
-        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
-               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
-    }
-    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
-        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
-    }
-    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
-    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
 };
 
 /// Texel inside the map, without the assertion of image_view.
@@ -15251,6 +15251,63 @@ UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int
 #pragma GCC unroll 4
         for (int i = 0; i < block; i += 16)
             prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
+}
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blocks/form_map.hpp
+// Maps as the forms of filters read them.
+//
+//     if (!form_takes<Form>(map, reads_stored<Form, Encoding>, receivers)) return false;
+//     const form_map<Encoding, reads_stored<Form, Encoding>> of(map, encoding, parallel);
+//     const auto tables = Form::tables(of.texels, filter, parallel);
+//
+
+namespace umbrage::detail {
+
+/// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
+[[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
+template <int Bits>
+[[nodiscard]] rg_texels texels_of(image_view<const glm::u8vec2> map, const rg<Bits>& encoding) {
+    return {map, Bits, encoding.edge};
+}
+template <class Encoding>
+concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) {
+    texels_of(map, e);
+};
+
+/// Whether a form reads an encoding's maps as they are stored.
+template <class Form, class Encoding>
+inline constexpr bool reads_stored = std::is_same_v<Encoding, depth32f> ||
+                                     (Form::need == map_need::texels && has_texels_form<Encoding>);
+
+/// A map as a form reads it: as it is stored, or decoded.
+template <class Encoding, bool Stored>
+struct form_map {
+    decltype(texels_of(image_view<const typename Encoding::texel>(), std::declval<Encoding>())) texels;
+    template <class ParallelFor>
+    form_map(image_view<const typename Encoding::texel> map, const Encoding& encoding, ParallelFor&&)
+        : texels(texels_of(map, encoding)) {}
+};
+template <class Encoding>
+struct form_map<Encoding, false> {
+    unset_image<float> depths;
+    float_texels texels{depths.view};
+    template <class ParallelFor>
+    form_map(image_view<const typename Encoding::texel> map, const Encoding& encoding, ParallelFor&& parallel)
+        : depths(map.size) {
+        decode(map, depths.view, encoding, parallel);
+    }
+};
+
+/// Whether a form can read a map, and to decode it, where that has to be done, is less work than so many receivers.
+template <class Form, class Texel>
+[[nodiscard]] bool form_takes(image_view<const Texel> map, bool stored, glm::ivec2 receivers) {
+    const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+    if (map.size.x < Form::least || map.size.y < Form::least) return false;
+    if (stored) return texel_bytes<const Texel>::fits(map.size, map.stride);
+    return area(map.size) < 16.0 * area(receivers) &&
+           texel_bytes<const float>::fits(map.size, map.size.x * std::ptrdiff_t(sizeof(float)));
 }
 
 }  // namespace umbrage::detail
@@ -15369,12 +15426,13 @@ namespace detail {
 // ---- umbrage/images/blocks/receivers.hpp
 // Blocks of 64 receivers, wherever they come from: x(i), y(i) in texels, z(i) depth.
 //
-//     use_receivers(receivers, walk, set, [&](const auto& of_block) { blocks.place(of_block, placed); });
+//     receiver_room room;
+//     blocks.place(block_at(receivers, walk, room, set), placed);
 //
 
 namespace umbrage::detail {
 
-/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
+/// A block of receivers, one after the other as in an image. Element by element: GCC does not vectorise whole vec3s.
 struct receiver_texels {
     const glm::vec3* first;
     [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
@@ -15390,7 +15448,7 @@ struct receiver_rows {
     [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
 };
 
-/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
+/// The same in memory of its own.
 struct receiver_block {
     alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
     [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
@@ -15458,55 +15516,68 @@ struct block_walk {
     }
 };
 
-/// Hands a block of receivers on: whole ones where they are, others as a copy.
-template <class Receivers, class Use>
-UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
-    if (count == block) return use(receivers);
-    receiver_block copy;
-    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
-    use(copy);
+/// Memory for a block of receivers that cannot be read where they are.
+struct receiver_room {
+    alignas(64) float rows[5][block];
+    alignas(64) glm::vec3 texels[block];
+};
+
+/// What `count` receivers have there: of a whole block as it is, else a copy, with zeros behind it that reach no result.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE inline const T* whole_block(const T* from, int count, T* room) {
+    if (count == block) return from;
+    for (int i = 0; i < block; ++i) room[i] = T(0);
+    for (int i = 0; i < count; ++i) room[i] = from[i];
+    return room;
 }
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa,
-                                         const Use& use) {
-    const receiver_texels receivers{from.row(at.y) + at.x};
-    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
-    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
-    copy.copy(receivers);
-    use(copy);
+
+/// A block of receivers as values that are valid as long as `room` is.
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline auto block_at(const image_view<const glm::vec3>& from, const block_walk& at,
+                                                  receiver_room& room, isa_constant<Set>) {
+    const receiver_texels texels{whole_block(from.row(at.y) + at.x, at.count(), room.texels)};
+    if constexpr (Set == isa::base) {  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i)
+            room.rows[0][i] = texels.x(i), room.rows[1][i] = texels.y(i), room.rows[2][i] = texels.z(i);
+        return receiver_rows{room.rows[0], room.rows[1], room.rows[2]};
+    } else return texels;
 }
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
-    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(),
-              use);
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline receiver_rows block_at(const receiver_planes& from, const block_walk& at,
+                                                           receiver_room& room, isa_constant<Set>) {
+    return {whole_block(from.x.row(at.y) + at.x, at.count(), room.rows[0]),
+            whole_block(from.y.row(at.y) + at.x, at.count(), room.rows[1]),
+            whole_block(from.depth.row(at.y) + at.x, at.count(), room.rows[2])};
 }
 
 /// receiver_at for a block.
 template <class = on_use>
-inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
-    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
+inline void load(const depth_receivers& seen, const block_walk& at, receiver_room& room) {
+    if (at.count() < block) std::memset(room.rows[2], 0, sizeof room.rows[2]);
+    copy_floats(room.rows[2], seen.depth.row(at.y) + at.x, at.count());
     on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
         const glm::mat4 m = seen.matrix;
         const float bias = seen.bias;
         const float y = static_cast<float>(at.y) + 0.5f;
         for (int i = 0; i < block; ++i) {
-            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
+            const float x = static_cast<float>(at.x + i) + 0.5f, depth = room.rows[2][i];
             const auto sum = [&](glm::length_t k)
                                  UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
             const float w = sum(3);
             const auto bits = detail::bit_cast<std::int32_t>(w);
             const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
-            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
-            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
-            r.zs[i] = masked(sum(2) / w, in_front) - bias;
+            room.rows[0][i] = select(in_front, sum(0) / w, 65536.0f);
+            room.rows[1][i] = select(in_front, sum(1) / w, 65536.0f);
+            room.rows[2][i] = masked(sum(2) / w, in_front) - bias;
         }
     });
 }
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
-    receiver_block r;
-    load(seen, at, r);
-    use(r);
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline receiver_rows block_at(const depth_receivers& seen, const block_walk& at,
+                                                           receiver_room& room, isa_constant<Set>) {
+    load(seen, at, room);
+    return {room.rows[0], room.rows[1], room.rows[2]};
 }
 
 /// Starts to fetch the receivers some blocks ahead, or of the next tile: hardware prefetching stops at the end of a
@@ -15730,13 +15801,12 @@ private:
 };
 
 template <>
-struct every_texel_form<filters::box> {
+struct every_texel_form<filters::box> : without_tables {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::box& filter, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        use(box_blocks<Direction>{map.map, clamp_int(filter.radius, max_box_radius)});
+    template <depth_direction Direction>
+    [[nodiscard]] static box_blocks<Direction> blocks(const float_texels& map, const filters::box& filter, no_tables) {
+        return {map.map, clamp_int(filter.radius, max_box_radius)};
     }
 };
 
@@ -15997,7 +16067,7 @@ private:
             for (int i = 0; i < block; ++i)
                 offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
                                            clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
-            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            texels.load_one(memory, offsets);
             move_texels(
                 at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + tap.x[i]) >> 8; },
                 [&](int i) UMBRAGE_INLINE { return (at.y[i] + tap.y[i]) >> 8; }, texels.depths);
@@ -16020,11 +16090,14 @@ template <>
 struct every_texel_form<filters::disc> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::disc& filter, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        const disc_table taps(points_of_disc(filter.points).begin(), filter.points, filter.radius_texels);
-        use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
+    template <class ParallelFor>
+    [[nodiscard]] static disc_table tables(const float_texels&, const filters::disc& filter, ParallelFor&&) {
+        return {points_of_disc(filter.points).begin(), filter.points, filter.radius_texels};
+    }
+    template <depth_direction Direction>
+    [[nodiscard]] static disc_blocks<Direction> blocks(const float_texels& map, const filters::disc& filter,
+                                                       const disc_table& taps) {
+        return {map.map, taps, filter.points, static_cast<int>(filter.reach())};
     }
 };
 
@@ -16057,7 +16130,7 @@ struct placed_tap {
     UMBRAGE_INLINE void count(const Map& map, const float* z, std::int32_t* lit) const {
         const texel_bytes memory(map.map);
         loaded_texels<Map> texels(map);
-        texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+        texels.load_one(memory, offsets);
         for (int i = 0; i < block; ++i) lit[i] += Test::lit(texels.receiver(z[i]), texels.one(i));
     }
 };
@@ -16088,12 +16161,12 @@ struct hard_blocks {
 };
 
 template <>
-struct block_form<filters::hard> {
+struct block_form<filters::hard> : without_tables {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 1;
-    template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::hard&, glm::ivec2, ParallelFor&&, const Use& use) {
-        use(hard_blocks<Direction, Map>{map});
+    template <depth_direction Direction, class Map>
+    [[nodiscard]] static hard_blocks<Direction, Map> blocks(const Map& map, const filters::hard&, no_tables) {
+        return {map};
     }
 };
 
@@ -16139,13 +16212,13 @@ struct four_tap_blocks {
 };
 
 template <>
-struct block_form<filters::four_tap> {
+struct block_form<filters::four_tap> : without_tables {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 1;
-    template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::four_tap& filter, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        use(four_tap_blocks<Direction, Map>{map, filter.offsets});
+    template <depth_direction Direction, class Map>
+    [[nodiscard]] static four_tap_blocks<Direction, Map> blocks(const Map& map, const filters::four_tap& filter,
+                                                                no_tables) {
+        return {map, filter.offsets};
     }
 };
 
@@ -16328,11 +16401,14 @@ template <>
 struct every_texel_form<filters::window> {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::window& filter, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        const window_table weights(filter.row);
-        use(window_blocks<Direction>{map.map, filter.row, weights});
+    template <class ParallelFor>
+    [[nodiscard]] static window_table tables(const float_texels&, const filters::window& filter, ParallelFor&&) {
+        return window_table(filter.row);
+    }
+    template <depth_direction Direction>
+    [[nodiscard]] static window_blocks<Direction> blocks(const float_texels& map, const filters::window& filter,
+                                                         const window_table& weights) {
+        return {map.map, filter.row, weights};
     }
 };
 
@@ -16363,7 +16439,7 @@ UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std:
     const texel_bytes<const glm::vec2> memory(tree.bounds.view);
     alignas(64) glm::vec2 bounds[block];
     std::int32_t any = 0;
-    gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
+    gather<std::uint64_t>(memory, offsets, bounds);
     for (int i = 0; i < block; ++i) {
         const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
         const std::int32_t dark = Test::none_lit(depths[i], bounds[i].x, bounds[i].y);
@@ -16498,7 +16574,7 @@ struct hierarchical_disc_blocks {
         alignas(64) std::int32_t offsets[block], any;
     };
     const box_bounds& tree;
-    const disc_blocks<Direction>& every_point;
+    disc_blocks<Direction> every_point;
     reached_texels reached;
 
     template <class Receivers>
@@ -16548,32 +16624,35 @@ struct hierarchical_disc_blocks {
     return area(map) <= (width < 9 ? 2.5 : 16.0) * area(receivers);
 }
 
+/// Bounds of a map, and the tables of the blocks that read every texel.
+template <class Tables>
+struct bounds_and {
+    box_bounds tree;
+    Tables other;
+};
+
 /// The form of a filter that asks bounds first, whether it pays or not.
 template <class Filter>
 struct hierarchical_form : every_texel_form<Filter> {
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2 receivers, ParallelFor&& parallel,
-                            const Use& use) {
-        const box_bounds tree(map.map, width_of(filter), parallel);
-        every_texel_form<Filter>::template with_blocks<Direction>(
-            map, filter, receivers, parallel, [&]<class Blocks>(const Blocks& every_texel) {
-                if constexpr (std::is_same_v<Filter, filters::disc>)
-                    use(hierarchical_disc_blocks<Direction>{tree, every_texel, reached_texels(filter.reach())});
-                else use(hierarchical_blocks<Blocks>{tree, every_texel});
-            });
+    using reads = every_texel_form<Filter>;
+    template <class ParallelFor>
+    [[nodiscard]] static auto tables(const float_texels& map, const Filter& filter, ParallelFor&& parallel) {
+        return bounds_and<decltype(reads::tables(map, filter, parallel))>{
+            box_bounds(map.map, width_of(filter), parallel), reads::tables(map, filter, parallel)};
+    }
+    template <depth_direction Direction, class Tables>
+    [[nodiscard]] static auto blocks(const float_texels& map, const Filter& filter, const Tables& tables) {
+        const auto every_texel = reads::template blocks<Direction>(map, filter, tables.other);
+        if constexpr (std::is_same_v<Filter, filters::disc>)
+            return hierarchical_disc_blocks<Direction>{tables.tree, every_texel, reached_texels(filter.reach())};
+        else return hierarchical_blocks<std::remove_const_t<decltype(every_texel)>>{tables.tree, every_texel};
     }
 };
 
-/// The form that takes less time.
+/// The form that reads every texel, or the other where bounds_pay().
 template <class Filter>
 struct faster_form : every_texel_form<Filter> {
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2 receivers, ParallelFor&& parallel,
-                            const Use& use) {
-        if (bounds_pay(width_of(filter), map.map.size, receivers))
-            hierarchical_form<Filter>::template with_blocks<Direction>(map, filter, receivers, parallel, use);
-        else every_texel_form<Filter>::template with_blocks<Direction>(map, filter, receivers, parallel, use);
-    }
+    using by_bounds = hierarchical_form<Filter>;
 };
 template <>
 struct block_form<filters::box> : faster_form<filters::box> {};
@@ -16625,9 +16704,7 @@ struct pcf_2x2_blocks {
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         const texel_bytes memory(map.map);
         loaded_texels<Map> low(map), high(map);
-        loaded_texels<Map>::load_two(
-            low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }, high,
-            [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
+        loaded_texels<Map>::load_two(memory, at.offsets, low, high);
         for (int i = 0; i < block; ++i) {
             const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
             const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
@@ -16640,12 +16717,12 @@ struct pcf_2x2_blocks {
 };
 
 template <>
-struct block_form<filters::pcf_2x2> {
+struct block_form<filters::pcf_2x2> : without_tables {
     static constexpr map_need need = map_need::texels;
     static constexpr int least = 2;
-    template <depth_direction Direction, class Map, class ParallelFor, class Use>
-    static void with_blocks(const Map& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&, const Use& use) {
-        use(pcf_2x2_blocks<Direction, Map>{map});
+    template <depth_direction Direction, class Map>
+    [[nodiscard]] static pcf_2x2_blocks<Direction, Map> blocks(const Map& map, const filters::pcf_2x2&, no_tables) {
+        return {map};
     }
 };
 
@@ -16675,10 +16752,6 @@ struct soft_blocks : disc_blocks<Direction> {
     float per_code;
     std::int32_t min_radius, max_radius;
 
-    /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
-    static disc_table turned_points(const Filter& filter) {
-        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
-    }
     soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
         : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
           per_code(filter.softness.per_code),
@@ -16701,45 +16774,43 @@ private:
         return above < max_radius ? above : max_radius;
     }
 
-    /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.
-    template <class Placed, class Use>
-    UMBRAGE_INLINE void for_each_tap(const Placed& at, const std::int32_t* radii, const Use& use) const {
-        const float_texels of_map{this->map};
+    /// Loads the texels below a point of each receiver's disc.
+    template <class Placed>
+    UMBRAGE_INLINE void load_tap(const Placed& at, int point, const std::int32_t* radii,
+                                 loaded_texels<float_texels>& texels) const {
         const texel_bytes memory(this->map);
         const int last_x = this->map.size.x - 1, last_y = this->map.size.y - 1;
-        loaded_texels<float_texels> texels(of_map);
         alignas(64) std::int32_t offsets[block];
-        for (int p = 0; p < this->points; ++p) {
-            const disc_table::tap& tap = this->taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
-            for (int i = 0; i < block; ++i)
-                offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
-                                           clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
-            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
-            move_texels(
-                at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8; },
-                [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8; }, texels.depths);
-            use(texels);
-        }
+        const disc_table::tap& tap = this->taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(point)];
+        for (int i = 0; i < block; ++i)
+            offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
+                                       clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
+        texels.load_one(memory, offsets);
+        move_texels(
+            at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8; },
+            [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8; }, texels.depths);
     }
 
     template <class Placed>
     UMBRAGE_INLINE void soften(const Placed& at, float* visibility) const {
         alignas(64) std::int32_t codes[block], searched[block], radii[block], blocked[block]{}, sums[block]{};
+        loaded_texels<float_texels> texels(float_texels{this->map});
         for (int i = 0; i < block; ++i) {
             codes[i] = distance_code_of(at.z[i]);
             searched[i] = radius(codes[i]);
         }
-        for_each_tap(at, searched, [&](const auto& texels) UMBRAGE_INLINE {
+        for (int p = 0; p < this->points; ++p) {
+            load_tap(at, p, searched, texels);
             std::int32_t found = 0;
             for (int i = 0; i < block; ++i) {
                 const std::int32_t before = 1 - test::lit(at.z[i], texels.one(i));
                 blocked[i] += before;
                 found |= before;
             }
-            if (found == 0) return;  // most blocks of a picture are lit
+            if (found == 0) continue;  // most blocks of a picture are lit
             for (int i = 0; i < block; ++i)
                 sums[i] += distance_code_of(texels.one(i)) & -(1 - test::lit(at.z[i], texels.one(i)));
-        });
+        }
         std::int32_t any = 0;
         for (int i = 0; i < block; ++i) {
             any |= blocked[i] & at.compared[i];
@@ -16749,9 +16820,10 @@ private:
             for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
         } else if constexpr (filters_again) {
             alignas(64) std::int32_t lit[block]{};
-            for_each_tap(at, radii, [&](const auto& texels) UMBRAGE_INLINE {
+            for (int p = 0; p < this->points; ++p) {
+                load_tap(at, p, radii, texels);
                 for (int i = 0; i < block; ++i) lit[i] += test::lit(at.z[i], texels.one(i));
-            });
+            }
             const float share = 1.0f / static_cast<float>(this->points);
             UMBRAGE_NO_OVERLAP
             for (int i = 0; i < block; ++i)
@@ -16776,11 +16848,15 @@ template <class Filter>
 struct soft_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2, ParallelFor&&, const Use& use) {
-        using blocks = soft_blocks<Direction, Filter>;
-        const disc_table turned = blocks::turned_points(filter);
-        use(blocks(map.map, turned, filter));
+    /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
+    template <class ParallelFor>
+    [[nodiscard]] static disc_table tables(const float_texels&, const Filter& filter, ParallelFor&&) {
+        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
+    }
+    template <depth_direction Direction>
+    [[nodiscard]] static soft_blocks<Direction, Filter> blocks(const float_texels& map, const Filter& filter,
+                                                               const disc_table& turned) {
+        return {map.map, turned, filter};
     }
 };
 template <>
@@ -16856,15 +16932,15 @@ public:
     template <class Receivers>
     void filter_again(const Receivers& receivers, const block_walk& at, float* visibility) const {
         const glm::vec2 last = size_ - margin_, beyond = size_ + margin_;
-        use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
-            for (int i = 0; i < at.count(); ++i) {
-                const glm::vec2 c(r.x(i), r.y(i));
-                if (c.x >= margin_ && c.y >= margin_ && c.x <= last.x && c.y <= last.y) continue;
-                const bool apart = c.x < -margin_ || c.y < -margin_ || c.x > beyond.x || c.y > beyond.y;
-                visibility[i] =
-                    lit_beyond_ && apart && !is_nan(r.z(i)) ? 1.0f : alone_(c, r.z(i), glm::ivec2(at.x + i, at.y));
-            }
-        });
+        receiver_room room;
+        const auto r = block_at(receivers, at, room, isa_constant<isa::base>{});
+        for (int i = 0; i < at.count(); ++i) {
+            const glm::vec2 c(r.x(i), r.y(i));
+            if (c.x >= margin_ && c.y >= margin_ && c.x <= last.x && c.y <= last.y) continue;
+            const bool apart = c.x < -margin_ || c.y < -margin_ || c.x > beyond.x || c.y > beyond.y;
+            visibility[i] =
+                lit_beyond_ && apart && !is_nan(r.z(i)) ? 1.0f : alone_(c, r.z(i), glm::ivec2(at.x + i, at.y));
+        }
     }
 
 private:
@@ -16887,16 +16963,16 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& e
         typename tile_of<Blocks>::type tile;
         alignas(64) float visibility[std::size_t(tile.rows)][block];
         bool at_edge[ring], again[std::size_t(tile.rows)];
+        receiver_room room;
         block_walk ahead{0, first, out.size.x, tile.rows, last}, at = ahead;
         for (unsigned n = 0; at.y < last; ++n) {
             if (ahead.y < last) {
                 prefetch(receivers, ahead);
-                use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
-                    if constexpr (requires { blocks.place(of_block, placed[0], 0); })
-                        blocks.place(of_block, placed[n % ring], ahead.y);
-                    else blocks.place(of_block, placed[n % ring]);
-                    at_edge[n % ring] = edge.meets(of_block);
-                });
+                const auto of_block = block_at(receivers, ahead, room, set);
+                at_edge[n % ring] = edge.meets(of_block);
+                if constexpr (requires { blocks.place(of_block, placed[0], 0); })
+                    blocks.place(of_block, placed[n % ring], ahead.y);
+                else blocks.place(of_block, placed[n % ring]);
                 ahead.step();
             }
             if (n + 1 < ring) continue;
@@ -16923,16 +16999,18 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& e
     if (large) finish_streaming();
 }
 
-/// Calls use(visibility, coord, receiver, pixel) for one receiver after the other.
-template <class Receivers, class ParallelFor, class Use>
-void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Use& use) {
+/// One receiver after the other.
+/// @param alone   (coord, receiver, pixel) -> visibility
+template <class Receivers, class ParallelFor, class Alone>
+void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Alone& alone) {
     parallel(out.size.y, [&](int first, int last) {
-        for (block_walk at{0, first, out.size.x}; at.y < last; at.step())
-            use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
-                float* const to = out.row(at.y) + at.x;
-                for (int i = 0; i < at.count(); ++i)
-                    use(to[i], glm::vec2(r.x(i), r.y(i)), r.z(i), glm::ivec2(at.x + i, at.y));
-            });
+        receiver_room room;
+        for (block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
+            const auto r = block_at(receivers, at, room, isa_constant<isa::base>{});
+            float* const to = out.row(at.y) + at.x;
+            for (int i = 0; i < at.count(); ++i)
+                to[i] = alone(glm::vec2(r.x(i), r.y(i)), r.z(i), glm::ivec2(at.x + i, at.y));
+        }
     });
 }
 
@@ -16940,10 +17018,9 @@ void for_each_receiver(const Receivers& receivers, image_view<float> out, Parall
 template <class Receivers, class Filter, class Fetch, class ParallelFor>
 void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& fetch, image_view<float> out,
                  ParallelFor&& parallel) {
-    for_each_receiver(receivers, out, parallel,
-                      [&](float& visibility, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-                          visibility = filtered(filter, fetch, coord, receiver, pixel);
-                      });
+    for_each_receiver(receivers, out, parallel, [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+        return filtered(filter, fetch, coord, receiver, pixel);
+    });
 }
 
 /// The direction of a map's depth: its encoding's, or the filter's where the encoding has none.
@@ -16964,35 +17041,33 @@ template <class Filter>
     } else return filter;
 }
 
-/// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
-[[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
-template <int Bits>
-[[nodiscard]] rg_texels texels_of(image_view<const glm::u8vec2> map, const rg<Bits>& encoding) {
-    return {map, Bits, encoding.edge};
+/// All rows through a filter's blocks.
+template <class Receivers, class Blocks, class Edge, class ParallelFor>
+void filter_pieces(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out,
+                   ParallelFor&& parallel) {
+    parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
 }
-template <class Encoding>
-concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) {
-    texels_of(map, e);
-};
 
-/// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
-/// @return   false where it is not, or where the form cannot take such a map
-template <class Form, class Encoding, class ParallelFor, class Use>
-bool with_map(image_view<const typename Encoding::texel> map, const Encoding& encoding, glm::ivec2 receivers,
-              ParallelFor&& parallel, const Use& use) {
-    using texel = typename Encoding::texel;
-    constexpr bool floats = std::is_same_v<Encoding, depth32f>;
-    if (map.size.x < Form::least || map.size.y < Form::least) return false;
-    if constexpr (floats || (Form::need == map_need::texels && has_texels_form<Encoding>)) {
-        if (!texel_bytes<const texel>::fits(map)) return false;
-        use(texels_of(map, encoding));
+/// A filter by its form.
+/// @return   false where the form does not take the map: nothing is done
+template <class Form, class Encoding, class Receivers, class Filter, class Edge, class ParallelFor>
+bool filter_by_form(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                    const Receivers& receivers, const Filter& filter, depth_direction direction, const Edge& edge,
+                    image_view<float> out, ParallelFor&& parallel) {
+    constexpr bool stored = reads_stored<Form, Encoding>;
+    if (!form_takes<Form>(map, stored, out.size)) return false;
+    if constexpr (requires { typename Form::by_bounds; })
+        if (bounds_pay(width_of(filter), map.size, out.size))
+            return filter_by_form<typename Form::by_bounds>(map, encoding, receivers, filter, direction, edge, out,
+                                                            parallel);
+    const form_map<Encoding, stored> of(map, encoding, parallel);
+    const auto tables = Form::tables(of.texels, filter, parallel);
+    if (direction == depth_direction::forward) {
+        const auto blocks = Form::template blocks<depth_direction::forward>(of.texels, filter, tables);
+        filter_pieces(receivers, blocks, edge, out, parallel);
     } else {
-        const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
-        if (area(map.size) >= 16.0 * area(receivers)) return false;
-        const unset_image<float> depths(map.size);
-        if (!texel_bytes<const float>::fits(depths.view)) return false;
-        decode(map, depths.view, encoding, parallel);
-        use(float_texels{depths.view});
+        const auto blocks = Form::template blocks<depth_direction::reversed>(of.texels, filter, tables);
+        filter_pieces(receivers, blocks, edge, out, parallel);
     }
     return true;
 }
@@ -17009,21 +17084,14 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     const auto clamped_map = decoded(clamped(map), encoding);
     const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared_depth(direction)};
     if constexpr (has_block_form<Filter>) {
-        using form = block_form<Filter>;
         const erased_fetch bordered = erase(bordered_map);
         const bool has_border = outside == outside_map::bordered;
         const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
             return filtered(directed, bordered, coord, receiver, pixel);
         };
         const map_edge edge(alone, filter.reach(), map.size, has_border, has_border);
-        const auto rows = [&](const auto& blocks) {
-            parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
-        };
-        const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
-            if (direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, directed, out.size, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, directed, out.size, parallel, rows);
-        });
+        const bool done =
+            filter_by_form<block_form<Filter>>(map, encoding, receivers, directed, direction, edge, out, parallel);
         if (!done) filter_each(receivers, directed, has_border ? bordered : erase(clamped_map), out, parallel);
     } else if (outside == outside_map::bordered) {
         filter_each(receivers, directed, bordered_map, out, parallel);
@@ -17672,10 +17740,10 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     const auto table = [&](glm::ivec2 cell) { return map.table[cell]; };
     const auto page = static_cast<float>(map.size.texels), gutter = static_cast<float>(map.size.gutter);
     const auto& directed = in_direction(filter, direction_of(encoding, filter));
-    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float depth, glm::ivec2 pixel) {
+    for_each_receiver(receivers, out, parallel, [&](glm::vec2 coord, float depth, glm::ivec2 pixel) {
         const glm::vec4 at = page_coordinate(table, static_cast<float>(side), coord, page, gutter);
         const auto texels = map.atlas.region(glm::ivec2(at.z, at.w), glm::ivec2(pitch));
-        visibility = filtered(directed, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
+        return filtered(directed, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
     });
 }
 
@@ -17727,7 +17795,7 @@ struct plane_blocks {
     struct placed : Blocks::placed {
         plane_block planes;
     };
-    const Blocks& of;
+    Blocks of;
     float cleared;  ///< depth of the far plane
 
     template <class Receivers>
@@ -17831,44 +17899,57 @@ concept has_plane_form = requires {
     plane_form<Filter>::need;
 };
 
-template <>
-struct plane_form<filters::window> : every_texel_form<filters::window> {};
-template <>
-struct plane_form<filters::disc> : every_texel_form<filters::disc> {};
-template <>
-struct plane_form<filters::pcss> : block_form<filters::pcss> {};
-template <>
-struct plane_form<filters::dpcf> : block_form<filters::dpcf> {};
+/// A form's blocks, of receivers with planes.
+template <class Form>
+struct on_planes : Form {
+    template <depth_direction Direction, class Filter, class Tables>
+    [[nodiscard]] static auto blocks(const float_texels& map, const Filter& filter, const Tables& tables) {
+        using of_form = decltype(Form::template blocks<Direction>(map, filter, tables));
+        return plane_blocks<of_form>{Form::template blocks<Direction>(map, filter, tables), cleared_depth(Direction)};
+    }
+};
 
-/// A window of one weight: the same four texels, weights and sum.
-template <>
-struct plane_form<filters::pcf_2x2> {
+/// pcf_2x2 as a window of one weight: the same four texels, weights and sum.
+struct one_weight_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 2;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const filters::pcf_2x2&, glm::ivec2, ParallelFor&&,
-                            const Use& use) {
-        constexpr window_row one = make_window_row(1, {1.0f});
-        const window_table weights(one);
-        use(window_blocks<Direction>{map.map, one, weights});
+    static constexpr window_row row = make_window_row(1, {1.0f});
+    template <class ParallelFor>
+    [[nodiscard]] static window_table tables(const float_texels&, const filters::pcf_2x2&, ParallelFor&&) {
+        return window_table(row);
+    }
+    template <depth_direction Direction>
+    [[nodiscard]] static window_blocks<Direction> blocks(const float_texels& map, const filters::pcf_2x2&,
+                                                         const window_table& weights) {
+        return {map.map, row, weights};
     }
 };
 
-template <class Filter>
-struct plane_box_form {
+/// Boxes, and the receiver's own texel as one of radius 0.
+struct plane_box_form : without_tables {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    template <depth_direction Direction, class ParallelFor, class Use>
-    static void with_blocks(const float_texels& map, const Filter& filter, glm::ivec2, ParallelFor&&, const Use& use) {
-        int radius = 0;
-        if constexpr (requires { filter.radius; }) radius = clamp_int(filter.radius, max_box_radius);
-        use(plane_box_blocks<Direction>{map.map, radius});
+    template <depth_direction Direction, class Filter>
+    [[nodiscard]] static plane_box_blocks<Direction> blocks(const float_texels& map, const Filter& filter, no_tables) {
+        if constexpr (std::is_same_v<Filter, filters::hard>) return {map.map, 0};
+        else return {map.map, clamp_int(filter.radius, max_box_radius)};
     }
 };
+
 template <>
-struct plane_form<filters::hard> : plane_box_form<filters::hard> {};
+struct plane_form<filters::window> : on_planes<every_texel_form<filters::window>> {};
 template <>
-struct plane_form<filters::box> : plane_box_form<filters::box> {};
+struct plane_form<filters::disc> : on_planes<every_texel_form<filters::disc>> {};
+template <>
+struct plane_form<filters::pcss> : on_planes<block_form<filters::pcss>> {};
+template <>
+struct plane_form<filters::dpcf> : on_planes<block_form<filters::dpcf>> {};
+template <>
+struct plane_form<filters::pcf_2x2> : on_planes<one_weight_form> {};
+template <>
+struct plane_form<filters::hard> : on_planes<plane_box_form> {};
+template <>
+struct plane_form<filters::box> : on_planes<plane_box_form> {};
 
 }  // namespace umbrage::detail
 
@@ -17898,20 +17979,17 @@ namespace detail {
     return size;
 }
 
-/// A block of them, read where they are; of a row's last, shorter block a copy.
+/// A block of them.
 struct sloped_rows : receiver_rows {
     const float *first_slope_x, *first_slope_y;
     [[nodiscard]] UMBRAGE_INLINE float slope_x(int i) const { return first_slope_x[i]; }
     [[nodiscard]] UMBRAGE_INLINE float slope_y(int i) const { return first_slope_y[i]; }
 };
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const sloped_receivers& from, const block_walk& at, Isa, const Use& use) {
-    const float* const first[]{from.at.x.row(at.y) + at.x, from.at.y.row(at.y) + at.x, from.at.depth.row(at.y) + at.x,
-                               from.slope_x.row(at.y) + at.x, from.slope_y.row(at.y) + at.x};
-    if (at.count() == block) return use(sloped_rows{{first[0], first[1], first[2]}, first[3], first[4]});
-    alignas(64) float copy[5][block]{};
-    for (int k = 0; k < 5; ++k) copy_floats(copy[k], first[k], at.count());
-    use(sloped_rows{{copy[0], copy[1], copy[2]}, copy[3], copy[4]});
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline sloped_rows block_at(const sloped_receivers& from, const block_walk& at,
+                                                         receiver_room& room, isa_constant<Set> set) {
+    return {block_at(from.at, at, room, set), whole_block(from.slope_x.row(at.y) + at.x, at.count(), room.rows[3]),
+            whole_block(from.slope_y.row(at.y) + at.x, at.count(), room.rows[4])};
 }
 UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_walk& at) {
     prefetch(from.at, at);
@@ -17942,10 +18020,9 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     if (out.empty()) return;
     const depth_direction direction = detail::direction_of(encoding, filter);
     const auto& directed = detail::in_direction(filter, direction);
-    const float cleared = cleared_depth(direction);
     const bool has_border = outside == outside_map::bordered;
     const auto clamped_map = decoded(clamped(map), encoding);
-    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared};
+    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared_depth(direction)};
     const detail::erased_fetch fetch = has_border ? detail::erase(bordered_map) : detail::erase(clamped_map);
     const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
         const glm::vec2 slope(receivers.slope_x[pixel], receivers.slope_y[pixel]);
@@ -17953,25 +18030,12 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     };
     bool done = false;
     if constexpr (detail::has_plane_form<Filter>) {
-        using form = detail::plane_form<Filter>;
         // a texel that is clamped keeps its own place on the plane
         const detail::map_edge edge(alone, filter.reach(), map.size, true, has_border);
-        const auto rows = [&]<class Blocks>(const Blocks& of) {
-            const detail::plane_blocks<Blocks> blocks{of, cleared};
-            parallel(out.size.y,
-                     [&](int first, int last) { detail::filter_rows(receivers, blocks, edge, out, first, last); });
-        };
-        done = detail::with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
-            if (direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, directed, out.size, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, directed, out.size, parallel, rows);
-        });
+        done = detail::filter_by_form<detail::plane_form<Filter>>(map, encoding, receivers, directed, direction, edge,
+                                                                  out, parallel);
     }
-    if (done) return;
-    detail::for_each_receiver(receivers, out, parallel,
-                              [&](float& visibility, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-                                  visibility = alone(coord, receiver, pixel);
-                              });
+    if (!done) detail::for_each_receiver(receivers, out, parallel, alone);
 }
 
 }  // namespace umbrage
@@ -18275,12 +18339,12 @@ void decode_image(image_view<const typename Prefilter::texel> map, const Prefilt
         on_best_isa_without_fma([&](auto set) UMBRAGE_INLINE {
             bilinear_block<typename Prefilter::texel> of_block;
             alignas(64) float depths[block], visibility[block];
+            receiver_room room;
             const Prefilter own = filter;  // in registers
             for (block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
-                use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
-                    of_block.place(r, map.size, forward, outside);
-                    for (int i = 0; i < block; ++i) depths[i] = r.z(i);
-                });
+                const auto r = block_at(receivers, at, room, set);
+                of_block.place(r, map.size, forward, outside);
+                for (int i = 0; i < block; ++i) depths[i] = r.z(i);
                 of_block.fetch(map);
                 decode_block(own, of_block.means, depths, visibility);
                 for (int i = 0; i < block; ++i) visibility[i] = select(of_block.compared[i], visibility[i], 1.0f);
@@ -24137,7 +24201,7 @@ namespace umbrage {
 
 /// Texels of a prefiltered map, in an encoding's place.
 template <prefilter Prefilter>
-struct moments {
+struct moment_texels {
     using texel = typename Prefilter::texel;
 
     depth_direction direction = depth_direction::forward;
@@ -24177,7 +24241,7 @@ struct encoding_for {
 };
 template <prefilter Prefilter>
 struct encoding_for<Prefilter> {
-    using type = moments<Prefilter>;
+    using type = moment_texels<Prefilter>;
 };
 
 }  // namespace detail
@@ -24259,6 +24323,15 @@ template <class Filter>
     } else if constexpr (requires(const Filter& f) { f.bias; }) all = xy;
     else if constexpr (requires(const Filter& f) { f.min_variance; }) all = x;
     return turning<Filter> ? all + ", umbrage_disc_rotation(pixel)" : all;
+}
+
+/// What a prefilter's writer takes behind the depth.
+template <prefilter Prefilter>
+[[nodiscard]] constexpr std::string_view writer_arguments() {
+    if constexpr (requires(const Prefilter& p) { p.parameters; })
+        return Prefilter::texel::length() == 4 ? ", vec2(filter_terms.x, filter_terms.y)" : ", filter_terms.x";
+    else if constexpr (requires(const Prefilter& p) { p.settings; }) return ", filter_terms.x";
+    else return "";
 }
 
 /// bias_of and look in GLSL: umbrage_look, for a filter's map alone.
@@ -24557,6 +24630,10 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
 //     // ... float visibility = umbrage_sun(world, normal) * umbrage_lamp(world, normal);
 //     auto bytes = sun.uniforms();  // what the block holds: copy sizeof bytes into its buffer
 //
+// A depth pass into a color target, of packed depths or of moments, writes umbrage_write_lamp(gl_FragCoord.z):
+//
+//     std::string pass = source(version::v330, {bind_depth_pass(lamp, "lamp")});
+//
 // hlsl::text, wgsl::text and msl::text take the same; in Metal block, map and sampler come first.
 
 namespace umbrage::glsl {
@@ -24595,7 +24672,55 @@ template <class SetUp, class Filter>
     return {std::move(look), std::move(door)};
 }
 
+/// How many channels a texel has.
+template <class Texel>
+inline constexpr int channels_of = 1;
+template <glm::length_t Channels>
+inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
+
+/// umbrage_write: the texel of a depth, as a color.
+/// @param stores      to_unorm of the target, null where the writer gives what to write
+/// @param arguments   of the writer behind the depth, of filter_terms
+[[nodiscard]] inline own_text write_text(const snippet& writer, const snippet* stores, int channels,
+                                         std::string_view arguments) {
+    std::string texel = "umbrage_" + std::string(writer.name) + "(depth" + std::string(arguments) + ")";
+    if (stores != nullptr) texel = "umbrage_" + std::string(stores->name) + "(" + texel + ")";
+    std::string color = channels == 1 ? "texel" : "texel.x, texel.y";
+    if (channels > 2) color += channels == 3 ? ", texel.z" : ", texel.z, texel.w";
+    for (int c = channels; c < 4; ++c) color += ", 0.0";
+    const std::string type = channels == 1 ? "float" : "vec" + std::to_string(channels);
+    own_text write{"write",
+                   "\n// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target\n"
+                   "UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth" +
+                       std::string(arguments.empty() ? "" : ", UMBRAGE_HIGHP vec4 filter_terms") +
+                       ") {\n    UMBRAGE_HIGHP " + type + " texel = " + texel + ";\n    return vec4(" + color +
+                       ");\n}\n"};
+    write.needs = {&cleared_depth, &writer};  // the first makes the text this map's own
+    if (stores != nullptr) write.needs.push_back(stores);
+    return write;
+}
+
 }  // namespace detail
+
+/// What a shadow's depth pass writes into a color target: umbrage_write_<name>(depth), of the depth that the depth
+/// buffer has. The target has the encoding's format, is not sRGB and not blended; it is cleared to cleared(). Depths in
+/// a depth texture need no such text. Exponents are the block's: umbrage_write_<name>(depth, filter_terms) for ESM, EVSM.
+/// @param name    letters, digits, single underscores between them
+/// @throws std::invalid_argument   another name
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] bound bind_depth_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
+    umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
+                             "letters, digits and single underscores between them", name);
+    bound item(snippet{.name = "write", .source = ""}, name, {.direction = of.encoding().direction});
+    if constexpr (prefilter<Filter>)
+        item.texts = {detail::write_text(*Filter::writer, nullptr, detail::channels_of<typename Filter::texel>,
+                                         umbrage::detail::writer_arguments<Filter>())};
+    else {
+        const snippet* const stores = Encoding::writes == store_format::integers ? Encoding::target::to_unorm : nullptr;
+        item.texts = {detail::write_text(*Encoding::writer, stores, Encoding::target::channels, "")};
+    }
+    return item;
+}
 
 /// A shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. Filters that turn from pixel
 /// to pixel take the position in pixels as a third argument: gl_FragCoord.xy.

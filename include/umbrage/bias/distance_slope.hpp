@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How distance from a light changes from texel to texel of a dual paraboloid map where it sees a plane. Depths there are
-// distances: plane_slope does not hold for them.
+// How distance from a light changes from texel to texel of a dual paraboloid map where it sees a plane. Depths there
+// are distances: plane_slope does not hold for them.
 //
 //     glm::vec2 slope = umbrage::dual_paraboloid_slope(world - light.position, normal, 2.0f / (light.range * inner));
 //     float bias = umbrage::acne_free_bias(slope, filter.reach() + umbrage::tessellation_reach<float>, error);

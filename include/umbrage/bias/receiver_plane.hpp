@@ -6,7 +6,7 @@
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
 //     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
-// In a shader bind the filter with {.receiver_plane = true}: behind the map it takes vec4(slope, coord) then.
+// In a shader bind the filter with {.receiver_plane = true}: behind the map it takes slope and coord then.
 //
 #pragma once
 

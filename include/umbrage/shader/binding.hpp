@@ -49,7 +49,7 @@ struct binding {
     std::string compare{};  ///< of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Empty:
                             ///< by direction. With one's own no receiver is beyond the far plane
     bool receiver_plane = false;   ///< moves each depth along the receiver's plane (apply_receiver_plane): functions
-                                   ///< take a vec4 behind the map, the plane's slope and the receiver's coordinate.
+                                   ///< take two vec2 behind the map, the plane's slope and the receiver's coordinate.
                                    ///< Not where texels are gathered or compared by the sampler
     std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
     std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates

@@ -25,7 +25,7 @@ struct language {
     std::string_view prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
-    std::string_view receiver_plane;             ///< declares the parameter of that name, a vector of four
+    std::string_view receiver_plane;             ///< declares receiver_slope and receiver_coord
     std::string_view may_reorder{};              ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     std::string_view function = "glsl::text";    ///< that a user calls

@@ -140,8 +140,8 @@ template <class = umbrage::detail::on_use>
         return expression;
     };
     if (map.arguments.empty()) ours(arguments);
-    const bool passes_plane = !receiver_plane.empty() || contains(words_of(text), "receiver_plane");
-    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_plane" : "";
+    const bool passes_plane = !receiver_plane.empty() || contains(words_of(text), "receiver_slope");
+    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_slope, receiver_coord" : "";
     const std::string depth = one_of(map.depth, "value.x");
     const auto list = [&](const std::string& all) {
         return replace_words(all,
@@ -175,9 +175,9 @@ template <class = umbrage::detail::on_use>
         if (word == "UMBRAGE_BORDER") return border;
         if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
         if (word == "UMBRAGE_DEPTH")
-            return of_texture(map.receiver_plane ? "umbrage_apply_receiver_plane(" + depth +
-                                                       ", receiver_plane.xy, receiver_plane.zw, texel)"
-                                                 : depth);
+            return of_texture(map.receiver_plane
+                                  ? "umbrage_apply_receiver_plane(" + depth + ", receiver_slope, receiver_coord, texel)"
+                                  : depth);
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(ours(words.lit));

@@ -112,11 +112,12 @@ namespace detail {
 }
 
 template <class = umbrage::detail::on_use>
-inline constexpr language glsl_language{.prelude = prelude,
-                                        .texture = glsl_texture,
-                                        .translate = [](const snippet& s) { return s.source.str(); },
-                                        .receiver_plane = "UMBRAGE_HIGHP vec4 receiver_plane",
-                                        .may_reorder = "GLSL below 400 and 320 es"};
+inline constexpr language glsl_language{
+    .prelude = prelude,
+    .texture = glsl_texture,
+    .translate = [](const snippet& s) { return s.source.str(); },
+    .receiver_plane = "UMBRAGE_HIGHP vec2 receiver_slope, UMBRAGE_HIGHP vec2 receiver_coord",
+    .may_reorder = "GLSL below 400 and 320 es"};
 
 [[nodiscard]] constexpr bool is_es(version v) {
     return v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;

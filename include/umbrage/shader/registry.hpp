@@ -139,8 +139,8 @@ template <class Use = umbrage::detail::on_use>
             .add_all({exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
                       hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets})
             // bias, shade, view
-            .add_all({light_units_snippets, constant_snippets, slope_snippets, distance_slope_snippets, normal_offset_snippets, kernel_snippets,
-                      receiver_plane_snippets, acne_free_snippets})
+            .add_all({light_units_snippets, constant_snippets, slope_snippets, distance_slope_snippets,
+                      normal_offset_snippets, kernel_snippets, receiver_plane_snippets, acne_free_snippets})
             .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets})
             .members();
     }();

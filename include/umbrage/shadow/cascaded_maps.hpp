@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cascades of a directional light, up to eight: a map each, the first that holds a receiver and its filter, and near its
-// border a blend with the next.
+// Cascades of a directional light, up to eight: a map each, the first that holds a receiver and its filter, and near
+// its border a blend with the next.
 //
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
 //     umbrage::shadow sun(cascades, {1024, 1024}, umbrage::filters::tent<3>);

@@ -92,7 +92,8 @@ inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
 
 /// What a shadow's depth pass writes into a color target: umbrage_write_<name>(depth), of the depth that the depth
 /// buffer has. The target has the encoding's format, is not sRGB and not blended; it is cleared to cleared(). Depths in
-/// a depth texture need no such text. Exponents are the block's: umbrage_write_<name>(depth, filter_terms) for ESM, EVSM.
+/// a depth texture need no such text. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth,
+/// filter_terms).
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   another name
 template <class SetUp, class Filter, class Encoding>

@@ -31,7 +31,7 @@ namespace umbrage {
 
 /// Texels of a prefiltered map, in an encoding's place.
 template <prefilter Prefilter>
-struct moments {
+struct moment_texels {
     using texel = typename Prefilter::texel;
 
     depth_direction direction = depth_direction::forward;
@@ -71,7 +71,7 @@ struct encoding_for {
 };
 template <prefilter Prefilter>
 struct encoding_for<Prefilter> {
-    using type = moments<Prefilter>;
+    using type = moment_texels<Prefilter>;
 };
 
 }  // namespace detail
@@ -177,7 +177,9 @@ template <class Filter>
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
     text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope").append(pixel).append(") {\n");
     if (contact_hardening<Filter>)
-        text += "    UMBRAGE_HIGHP vec4 receiver_plane = vec4(slope.x, slope.y, at.x, at.y);\n";
+        text +=
+            "    UMBRAGE_HIGHP vec2 receiver_slope = slope;\n"
+            "    UMBRAGE_HIGHP vec2 receiver_coord = vec2(at.x, at.y);\n";
     text.append("    UMBRAGE_HIGHP float bias = umbrage_").append(bias.name).append("(slope, ").append(reach);
     text.append(", terms.w);\n    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
     text.append(filter.snippet->name).append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver");

@@ -72,14 +72,14 @@ TEST_CASE("in_shader: contact hardening along the receiver's plane, and prefilte
     const shadow smooth(shadow_scene::spot(cpu_clip_space), {256, 256}, prefilters::evsm4{});
     const auto both = {bind(soft, "soft", {.map = glsl::texture::array}), bind(smooth, "smooth", {.block = 2})};
     const std::string gl = glsl::text(both, version::v330), w = wgsl::text(both);
-    CHECK(has(gl, "vec4 receiver_plane = vec4(slope.x, slope.y, at.x, at.y);"));
-    CHECK(has(gl, "umbrage_pcss16_soft(map, layer, receiver_plane, vec2(terms.x, terms.y)"));
+    CHECK(has(gl, "vec2 receiver_slope = slope;"));
+    CHECK(has(gl, "umbrage_pcss16_soft(map, layer, receiver_slope, receiver_coord,"));
     CHECK(has(gl, "        umbrage_look_soft(map, layer, terms"));
     CHECK(has(gl, "float umbrage_soft(vec3 world, vec3 normal, vec2 pixel) {"));
     CHECK(has(gl, "vec2(filter_terms.x, filter_terms.y), vec2(filter_terms.z, filter_terms.w));"));
-    CHECK(has(w, "layer: f32, receiver_plane: vec4f, size: vec2f,"));
-    CHECK(has(hlsl::text(both), "float4 receiver_plane, "));
-    CHECK(has(msl::text(both), "float4 receiver_plane, "));
+    CHECK(has(w, "layer: f32, receiver_slope: vec2f, receiver_coord: vec2f,"));
+    CHECK(has(hlsl::text(both), "float2 receiver_slope, float2 receiver_coord"));
+    CHECK(has(msl::text(both), "float2 receiver_slope,"));
 }
 
 TEST_CASE("in_shader: a depth pass writes the map's texels, packed or moments, in each language") {

@@ -105,8 +105,8 @@ TEST_CASE("shadow: a whole image has the bits of its receivers alone, in pieces 
     check(filters::tent<3>, depth32f{});
     check(filters::disc{}, rg<11>{});
     check(filters::pcss{}, depth32f{});
-    check(prefilters::vsm{}, moments<prefilters::vsm>{});
-    check(prefilters::evsm4{}, moments<prefilters::evsm4>{});
+    check(prefilters::vsm{}, moment_texels<prefilters::vsm>{});
+    check(prefilters::evsm4{}, moment_texels<prefilters::evsm4>{});
 }
 
 TEST_CASE("shadow: each step by hand gives the same bits") {

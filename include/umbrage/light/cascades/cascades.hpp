@@ -257,8 +257,8 @@ void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>
 
 }  // namespace detail
 
-/// Uniforms of up to four cascades, as cascade_column and cascade_by_projection take them. Warped cascades have a matrix
-/// each: warped.hpp.
+/// Uniforms of up to four cascades, as cascade_column and cascade_by_projection take them. Warped cascades have a
+/// matrix each: warped.hpp.
 /// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
 ///               overlap must have been asked for
 /// @return       where there are fewer than four, nothing falls into the others by depth or by projection

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include <umbrage/shadow/look.hpp>
+
+using namespace umbrage;
+
+TEST_CASE("look: which filters a shadow takes, and which encodings with them") {
+    static_assert(shadow_filter<filters::window> && shadow_filter<filters::disc> && shadow_filter<filters::dpcf>);
+    static_assert(shadow_filter<prefilters::vsm> && shadow_filter<prefilters::msm_unorm16>);
+    static_assert(!shadow_filter<filters::four_tap>);        // its offsets are a set-up's of the application
+    static_assert(!shadow_filter<filters::pcf_2x2_dx_sdk>);  // it has a bias of its own
+    static_assert(shadow_encoding<depth32f, filters::window> && !shadow_encoding<depth32f, prefilters::vsm>);
+    static_assert(shadow_encoding<moment_texels<prefilters::vsm>, prefilters::vsm>);
+    static_assert(!shadow_encoding<moment_texels<prefilters::vsm>, prefilters::esm>);
+}
+
+TEST_CASE("look: each filter's numbers are in the block where its text reads them") {
+    CHECK(detail::terms_of(filters::pcss{.softness = {0.1f, 2, 9}}, 0.5f) == glm::vec4(0.1f, 2, 9, 0));
+    CHECK(detail::arguments_of<filters::pcss>() ==
+          ", vec3(filter_terms.x, filter_terms.y, filter_terms.z), umbrage_disc_rotation(pixel)");
+    const filters::disc disc{.radius_texels = 3};
+    CHECK(detail::terms_of(disc, 0.5f) == glm::vec4(3, disc.farthest_point() + 0.5f, 0, 0));
+    CHECK(detail::arguments_of<filters::disc>() == ", filter_terms.x, umbrage_disc_rotation(pixel)");
+    CHECK(detail::terms_of(filters::box{.radius = 2}, 0.5f) == glm::vec4(2, 0, 0, 0));
+    CHECK(detail::arguments_of<filters::box>() == ", int(filter_terms.x)");
+    const prefilters::evsm4 powers;
+    CHECK(detail::terms_of(powers, 0.5f) == glm::vec4(powers.parameters.exponents, powers.parameters.deviations));
+    CHECK(detail::arguments_of<prefilters::evsm2>() == ", filter_terms.x, filter_terms.z");
+    CHECK(detail::terms_of(prefilters::msm{}, 0.5f) == glm::vec4(msm_bias_32, 0, 0));
+    CHECK(detail::arguments_of<prefilters::msm>() == ", vec2(filter_terms.x, filter_terms.y)");
+    CHECK(detail::arguments_of<filters::hard>().empty());
+}
+
+TEST_CASE("look: a receiver's bias is that of the filter's reach, its disc or half a texel") {
+    const glm::vec2 slope(0.01f, -0.02f);
+    const shadow_terms terms{.reach = 3, .error = 1e-4f, .filter_terms = {2, 2.5f, 0, 0}};
+    CHECK(detail::bias_of<filters::window>(terms, slope) == acne_free_bias(slope, 3.0f, 1e-4f));
+    CHECK(detail::bias_of<filters::disc>(terms, slope) == acne_free_disc_bias(slope, 2.5f, 1e-4f));
+    CHECK(detail::bias_of<filters::pcss>(terms, slope) == acne_free_bias(slope, 0.5f, 1e-4f));
+}
