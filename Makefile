@@ -201,12 +201,12 @@ single-header:
 	cmake -G Ninja -S . -B build/package -D UMBRAGE_BUILD_TESTS=ON -D CMAKE_BUILD_TYPE=Debug > build/package.log
 	cmake --build build/package --target package
 
-# Writes the generated tables of README.md anew.
+# Generates the pages' tables again.
 readme:
 	$(call install,$(test_packages))
 	cmake --preset dev
 	cmake --build --preset dev --target readme
-	build/dev/tests/readme/readme --write README.md include/umbrage
+	build/dev/tests/readme/readme --write .
 
 # What including umbrage.hpp and primitives.hpp costs.
 compile-time:

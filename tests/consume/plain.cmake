@@ -14,3 +14,10 @@ if(folders GREATER 1)
 endif()
 execute_process(COMMAND ${CMAKE_COMMAND} --build plain COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --install plain --prefix ${PREFIX} COMMAND_ERROR_IS_FATAL ANY)
+
+# Headers are installed, the pages beside them are not.
+file(GLOB_RECURSE headers ${PREFIX}/*/umbrage/*.hpp)
+file(GLOB_RECURSE pages ${PREFIX}/*.md)
+if(NOT headers OR pages)
+    message(FATAL_ERROR "Headers are missing, or pages are installed: ${pages}")
+endif()

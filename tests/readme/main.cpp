@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The generated sections of README.md, from what the library knows of itself, and the table of what the parity tests
-// tried.
+// The pages of the project: their generated sections, their links and their prose; and the table of what the parity
+// tests tried.
 //
-//     readme --check README.md INCLUDE       exit status 1, what differs and what to run when a section is out of date
-//     readme --write README.md INCLUDE       writes the sections anew
-//     readme --proof REPORTS PROOF.md        prints a line for each implementation; all of it goes to PROOF.md
+//     readme --check ROOT             exit status 1 when a section is out of date: what differs, and what to run
+//     readme --write ROOT             generates the sections again
+//     readme --links ROOT             exit status 1 when a link leads nowhere, or a page is far from README.md
+//     readme --prose ROOT             exit status 1 when a sentence is long, or a word is one of those to avoid
+//     readme --proof REPORTS PROOF.md prints a line for each implementation; all of it goes to PROOF.md
 //
-// INCLUDE is the folder include/umbrage.
+// A section stands between `<!-- begin: primitives bias -->` and `<!-- end -->`. Its name may be primitives or
+// functions, of the folders of include/umbrage that follow, encodings or filters.
+#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -17,51 +21,76 @@
 #include <string>
 #include <vector>
 
+#include "pages.hpp"
 #include "proof.hpp"
 #include "tables.hpp"
 
 namespace {
 
-std::string read(const std::string& path) {
-    std::ifstream in(path);
-    if (!in) throw std::runtime_error("cannot read " + path);
-    return {std::istreambuf_iterator<char>(in), {}};
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, const std::string& text) {
+    if (!(std::ofstream(path) << text).flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-void write(const std::string& path, const std::string& text) {
-    if (!(std::ofstream(path) << text).flush()) throw std::runtime_error("cannot write " + path);
+std::string section(const fs::path& include, const std::string& name, const std::vector<std::string>& folders) {
+    if (name == "primitives") return readme::primitives(include, folders);
+    if (name == "functions") return readme::functions(include, folders);
+    if (name == "encodings") return readme::encodings();
+    if (name == "filters") return readme::filters();
+    throw std::runtime_error("no section has the name '" + name + "'");
 }
 
-/// Puts `text` between the section's marks.
-void replace(std::string& page, const std::string& section, const std::string& text) {
-    const std::string begin = "<!-- begin: " + section + " -->\n", end = "<!-- end: " + section + " -->";
-    const auto from = page.find(begin), to = page.find(end);
-    if (from == page.npos || to == page.npos || to < from)
-        throw std::runtime_error("no section '" + section + "' in the page");
-    page.replace(from + begin.size(), to - from - begin.size(), text);
+std::string with_sections(const std::string& page, const fs::path& include) {
+    const std::string begin = "<!-- begin: ", end = "<!-- end -->";
+    std::string out;
+    std::size_t copied = 0;
+    for (auto at = page.find(begin); at != page.npos; at = page.find(begin, copied)) {
+        const auto line_end = page.find('\n', at), close = page.find(end, at);
+        if (close == page.npos) throw std::runtime_error("a section has no end: " + page.substr(at, line_end - at));
+        std::istringstream words(page.substr(at + begin.size(), line_end - 4 - at - begin.size()));
+        std::vector<std::string> folders{std::istream_iterator<std::string>(words), {}};
+        const std::string name = folders.at(0);
+        folders.erase(folders.begin());
+        out += page.substr(copied, line_end + 1 - copied) + section(include, name, folders);
+        copied = close;
+    }
+    return out + page.substr(copied);
 }
 
-std::string with_sections(std::string page, const std::string& include) {
-    replace(page, "primitives", readme::primitives());
-    replace(page, "encodings", readme::encodings());
-    replace(page, "filters", readme::filters());
-    replace(page, "lights", readme::functions(include + "/light"));
-    replace(page, "biases", readme::functions(include + "/bias"));
-    replace(page, "images", readme::functions(include + "/images"));
-    return page;
+/// Every primitive stands on some page.
+int check_all_listed(const std::string& all) {
+    int missing = 0;
+    for (const readme::family& f : readme::families())
+        if (all.find("| " + f.label() + " | " + std::string(f.first->summary)) == all.npos)
+            std::cerr << "no page lists " << f.label() << '\n', ++missing;
+    return missing;
 }
 
-int check(const std::string& path, const std::string& include) {
-    const std::string committed = read(path), current = with_sections(committed, include);
-    if (committed == current) return 0;
-    std::istringstream old(committed), now(current);
-    for (std::string was, is; std::getline(old, was), std::getline(now, is);)
-        if (was != is) {
-            std::cerr << "- " << was << "\n+ " << is << '\n';
-            break;
-        }
-    std::cerr << path << " is out of date: run `make readme`\n";
-    return 1;
+int check(const fs::path& root) {
+    int wrong = 0;
+    std::string all;
+    for (const readme::page& p : readme::pages(root)) {
+        const std::string current = with_sections(p.text, root / "include/umbrage");
+        all += current;
+        if (current == p.text) continue;
+        ++wrong;
+        std::istringstream old(p.text), now(current);
+        for (std::string was, is; std::getline(old, was), std::getline(now, is);)
+            if (was != is) {
+                std::cerr << "- " << was << "\n+ " << is << '\n';
+                break;
+            }
+        std::cerr << p.path << " is out of date: run `make readme`\n";
+    }
+    return wrong + check_all_listed(all) ? 1 : 0;
+}
+
+void write(const fs::path& root) {
+    for (const readme::page& p : readme::pages(root)) {
+        const std::string current = with_sections(p.text, root / "include/umbrage");
+        if (current != p.text) write(root / p.path, current);
+    }
 }
 
 void prove(const std::string& reports, const std::string& path) {
@@ -71,15 +100,23 @@ void prove(const std::string& reports, const std::string& path) {
     std::cout << implementations << "Each primitive by class of input: " << path << '\n';
 }
 
+/// Prints what is wrong.
+int report(const std::vector<std::string>& wrong) {
+    for (const std::string& each : wrong) std::cerr << each << '\n';
+    return wrong.empty() ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
     const std::vector<std::string> args(argv + 1, argv + argc);
-    const std::string what = args.size() == 3 ? args[0] : "";
-    if (what == "--check") return check(args[1], args[2]);
-    if (what == "--write") write(args[1], with_sections(read(args[1]), args[2]));
-    else if (what == "--proof") prove(args[1], args[2]);
-    else throw std::runtime_error("--check README.md INCLUDE, --write README.md INCLUDE, or --proof REPORTS PROOF.md");
+    const std::string what = args.size() == 2 || args.size() == 3 ? args[0] : "";
+    if (what == "--check") return check(args[1]);
+    if (what == "--links") return report(readme::wrong_links(readme::pages(args[1]), args[1]));
+    if (what == "--prose") return report(readme::wrong_prose(readme::pages(args[1])));
+    if (what == "--write") write(fs::path(args[1]));
+    else if (what == "--proof" && args.size() == 3) prove(args[1], args[2]);
+    else throw std::runtime_error("--check, --write, --links or --prose ROOT, or --proof REPORTS PROOF.md");
     return 0;
 } catch (const std::exception& error) {
     std::cerr << "readme: " << error.what() << '\n';

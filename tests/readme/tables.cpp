@@ -64,6 +64,33 @@ std::vector<std::string> functions_in(const std::string& header) {
     return names;
 }
 
+/// Headers' texts by their places in `include`.
+const std::map<std::string, std::string>& headers(const std::filesystem::path& include) {
+    static const auto all = [&] {
+        std::map<std::string, std::string> texts;
+        for (const auto& file : std::filesystem::recursive_directory_iterator(include)) {
+            if (file.path().extension() != ".hpp") continue;
+            std::ifstream in(file.path());
+            texts[std::filesystem::relative(file.path(), include).generic_string()] = {
+                std::istreambuf_iterator<char>(in), {}};
+        }
+        return texts;
+    }();
+    return all;
+}
+
+std::string folder_of(const std::string& place) { return place.substr(0, place.find_last_of('/')); }
+
+/// Where the header is that defines a family's snippets.
+std::string folder_of(const std::filesystem::path& include, const family& f) {
+    const std::string name(f.names.front()), quoted = '"' + name + '"';
+    const std::string stem = std::regex_replace(name, std::regex("[0-9]+"), "");
+    for (const auto& [place, text] : headers(include))
+        for (const std::string& sign : {".name = " + quoted, "? " + quoted, "snippet " + stem + '{'})
+            if (text.find(sign) != text.npos) return folder_of(place);
+    throw std::runtime_error("no header defines the snippet " + name);
+}
+
 }  // namespace
 
 std::string family::label() const { return span(names.front(), names.back()); }
@@ -77,11 +104,12 @@ std::vector<family> families() {
     return all;
 }
 
-std::string primitives() {
+std::string primitives(const std::filesystem::path& include, const std::vector<std::string>& folders) {
     std::string table = "| primitive | what it does | tier | lowest GLSL |\n|---|---|---|---|\n";
     for (const family& f : families())
-        table += "| " + f.label() + " | " + std::string(f.first->summary) + " | " + glsl::promise(*f.first) +
-                 (f.first->lowest == glsl::version::v100 ? " | 100 |\n" : " | 330, 300 es |\n");
+        if (std::find(folders.begin(), folders.end(), folder_of(include, f)) != folders.end())
+            table += "| " + f.label() + " | " + std::string(f.first->summary) + " | " + glsl::promise(*f.first) +
+                     (f.first->lowest == glsl::version::v100 ? " | 100 |\n" : " | 330, 300 es |\n");
     return table;
 }
 
@@ -123,22 +151,19 @@ std::string filters() {
     return table;
 }
 
-std::string functions(const std::filesystem::path& folder) {
+std::string functions(const std::filesystem::path& include, const std::vector<std::string>& folders) {
     std::map<std::string, std::string> rows;  // in the order of the headers' names
-    for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
-        if (file.is_directory()) continue;
-        std::ifstream in(file.path());
-        const std::string header{std::istreambuf_iterator<char>(in), {}};
+    for (const auto& [place, header] : headers(include)) {
+        if (std::find(folders.begin(), folders.end(), folder_of(place)) == folders.end()) continue;
         std::string names;
         for (const std::string& name : functions_in(header))
             if (!name.starts_with("umbrage_") && std::none_of(glsl::registry().begin(), glsl::registry().end(),
                                                               [&](auto* s) { return s->name == name; }))
                 names += (names.empty() ? "" : ", ") + code(name);
-        const std::string place = std::filesystem::relative(file.path(), folder.parent_path()).generic_string();
         if (!names.empty())
             rows[place] = "| " + names + " | " + opening_sentence(header) + " | " + code(place) + " |\n";
     }
-    if (rows.empty()) throw std::runtime_error("no functions in " + folder.string());
+    if (rows.empty()) throw std::runtime_error("no functions in " + folders.at(0));
     std::string table = "| functions | what for | header |\n|---|---|---|\n";
     for (const auto& [place, row] : rows) table += row;
     return table;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// README.md's tables, from what the library knows of itself.
+// The pages' tables, from what the library knows of itself.
 #pragma once
 
 #include <filesystem>
@@ -21,12 +21,14 @@ struct family {
 };
 [[nodiscard]] std::vector<family> families();
 
-/// What stands between the page's marks, by their names.
-[[nodiscard]] std::string primitives();
+/// The primitives that headers of some folders define.
+/// @param include   the folder include/umbrage, which `folders` are relative to; folders below them do not count
+[[nodiscard]] std::string primitives(const std::filesystem::path& include, const std::vector<std::string>& folders);
+
+/// The functions of these headers that have no snippet: name, and the first sentence of the header's comment.
+[[nodiscard]] std::string functions(const std::filesystem::path& include, const std::vector<std::string>& folders);
+
 [[nodiscard]] std::string encodings();
 [[nodiscard]] std::string filters();
-
-/// The functions of a folder of headers that have no snippet: name, and the first sentence of the header's comment.
-[[nodiscard]] std::string functions(const std::filesystem::path& folder);
 
 }  // namespace readme
