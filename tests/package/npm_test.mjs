@@ -89,7 +89,7 @@ try {
     const installed = join(folder, 'node_modules/umbrage'), { main, types, exports } = wanted;
     for (const path of [main, types, ...Object.values(exports['.']).flatMap(Object.values)])
         check(`${path} is in it`, existsSync(join(installed, path)));
-    for (const page of ['README.md', 'GUIDE.md', 'MUSEUM.md', 'CONTRIBUTING.md']) {
+    for (const page of ['README.md', 'INDEX.md', 'TROUBLESHOOTING.md', 'MUSEUM.md', 'CONTRIBUTING.md']) {
         const code = /^```[^]*?^```/gm, link = /\]\((?!https?:|#)([^)#]+)/g;
         for (const [, to] of readFileSync(join(root, page), 'utf8').replace(code, '').matchAll(link))
             check(`${page} links ${to}, which is in it`, existsSync(join(installed, to)));
