@@ -57,7 +57,8 @@ std::vector<std::string> functions_in(const std::string& header) {
     const std::regex inside("namespace detail \\{[^]*?\\}  // namespace detail");
     const std::string users = std::regex_replace(header, inside, "");
     const std::regex function(
-        "(?:^|\n)(?:\\[\\[nodiscard\\]\\] )?(?:inline |constexpr )*[a-zA-Z_:][\\w:<>, +]* (\\w+)\\(");
+        "(?:^|\n)(?:requires\\([^)]*\\)\\s*)?(?:\\[\\[nodiscard\\]\\] )?(?:inline |constexpr )*[a-zA-Z_:][\\w:<>, +]* "
+        "(\\w+)\\(");
     std::vector<std::string> names;
     for (std::sregex_iterator i(users.begin(), users.end(), function), end; i != end; ++i)
         if (std::find(names.begin(), names.end(), (*i)[1]) == names.end()) names.push_back((*i)[1]);
