@@ -54,7 +54,7 @@ int main() {
 
     float error = 0;
     int dark = 0, differ = 0;
-    umbrage::image<float> picture({512, 512});  // low bytes, high bits; depths, shadows
+    umbrage::image<float> picture({512, 512});  // above low and high bytes, below depths and shadows
     for (int y = 0; y < 256; ++y)
         for (int x = 0; x < 256; ++x) {
             const glm::ivec2 t(2 * x, 2 * y);
@@ -63,7 +63,7 @@ int main() {
             error = std::max(error, std::abs(packed.encoding().decode(map[t]) - depths[t]));
             const glm::vec3 point(float(x) / 16, height(x / 16, y / 16), float(y) / 16);
             const float visibility = packed(map, point, {0, 1, 0});
-            picture[{x + 256, y + 256}] = 0.1f + 0.8f * visibility;
+            picture[{x + 256, y + 256}] = (point.y > 0 ? 0.95f : 0.5f) * (0.1f + 0.9f * visibility);
             dark += visibility < 0.5f;
             differ += (visibility < 0.5f) != (exact(depths, point, {0, 1, 0}) < 0.5f);
         }
