@@ -39,8 +39,8 @@ export interface Binding {
     /** Of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Left out: by direction. With one's own
      *  no receiver is beyond the far plane. */
     compare?: string;
-    /** Moves each depth along the receiver's plane: functions take four floats behind the map, the plane's slope and the
-     *  receiver's coordinate. Not where texels are gathered or compared by the sampler. */
+    /** Moves each depth along the receiver's plane: functions take the plane's slope and the receiver's coordinate, two
+     *  floats each, behind the map. Not where texels are gathered or compared by the sampler. */
     receiver_plane?: boolean;
     /** The map's first texel in the texture: two floats. */
     origin?: string;

@@ -205,7 +205,7 @@ function for_map(text, s, item, words, receiver_plane) {
         return expression;
     };
     if (map.arguments === '') ours(all_arguments);
-    const behind_map = map.receiver_plane ? `, ${receiver_plane}` : '', plane = map.receiver_plane ? ', receiver_plane' : '';
+    const behind_map = map.receiver_plane ? `, ${receiver_plane}` : '', plane = map.receiver_plane ? ', receiver_slope, receiver_coord' : '';
     const depth = map.depth || 'value.x';
     const list = all => replace_words(all, word => word === 'map' ? own_map : word);
 
@@ -228,7 +228,7 @@ function for_map(text, s, item, words, receiver_plane) {
             case 'UMBRAGE_BORDER': return border;
             case 'UMBRAGE_COMPARE': return of_texture(map.compare);
             case 'UMBRAGE_DEPTH': return of_texture(map.receiver_plane
-                ? `umbrage_apply_receiver_plane(${depth}, receiver_plane.xy, receiver_plane.zw, texel)` : depth);
+                ? `umbrage_apply_receiver_plane(${depth}, receiver_slope, receiver_coord, texel)` : depth);
             case 'UMBRAGE_ORIGIN': return origin;
             case 'UMBRAGE_TEXEL': return of_texture(map.texel === '' ? ours(texel) : texel);
             case 'UMBRAGE_LIT_TEXEL': return of_texture(ours(words.lit));
@@ -438,7 +438,7 @@ export const versions = ["100", "110", "120", "130", "150", "300 es", "310 es", 
 const languages = {
     glsl: {
         prelude: "\n#ifndef UMBRAGE_HIGHP\n#ifdef GL_ES\n#define UMBRAGE_HIGHP highp\n#else\n#define UMBRAGE_HIGHP\n#endif\n#endif\n#ifndef UMBRAGE_PRECISE\n#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)\n#define UMBRAGE_PRECISE precise\n#else\n#define UMBRAGE_PRECISE\n#endif\n#endif\n",
-        receiver_plane: "UMBRAGE_HIGHP vec4 receiver_plane",
+        receiver_plane: "UMBRAGE_HIGHP vec2 receiver_slope, UMBRAGE_HIGHP vec2 receiver_coord",
         may_reorder: "GLSL below 400 and 320 es",
         preprocessor: true,
         textures: {
@@ -4009,7 +4009,7 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     },
     hlsl: {
         prelude: "",
-        receiver_plane: "float4 receiver_plane",
+        receiver_plane: "float2 receiver_slope, float2 receiver_coord",
         may_reorder: "",
         preprocessor: true,
         textures: {
@@ -7408,7 +7408,7 @@ float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     },
     msl: {
         prelude: "\n#include <metal_stdlib>\n#pragma METAL fp math_mode(safe)\n#pragma METAL fp contract(off)\n",
-        receiver_plane: "float4 receiver_plane",
+        receiver_plane: "float2 receiver_slope, float2 receiver_coord",
         may_reorder: "",
         preprocessor: true,
         textures: {
@@ -10824,7 +10824,7 @@ inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     },
     wgsl: {
         prelude: "",
-        receiver_plane: "receiver_plane: vec4f",
+        receiver_plane: "receiver_slope: vec2f, receiver_coord: vec2f",
         may_reorder: "WGSL",
         preprocessor: false,
         textures: {

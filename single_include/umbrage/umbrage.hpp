@@ -1847,8 +1847,8 @@ inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &re
 }  // namespace umbrage
 
 // ---- umbrage/bias/distance_slope.hpp
-// How distance from a light changes from texel to texel of a dual paraboloid map where it sees a plane. Depths there are
-// distances: plane_slope does not hold for them.
+// How distance from a light changes from texel to texel of a dual paraboloid map where it sees a plane. Depths there
+// are distances: plane_slope does not hold for them.
 //
 //     glm::vec2 slope = umbrage::dual_paraboloid_slope(world - light.position, normal, 2.0f / (light.range * inner));
 //     float bias = umbrage::acne_free_bias(slope, filter.reach() + umbrage::tessellation_reach<float>, error);
@@ -2500,7 +2500,7 @@ namespace detail {
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
 //     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
-// In a shader bind the filter with {.receiver_plane = true}: behind the map it takes vec4(slope, coord) then.
+// In a shader bind the filter with {.receiver_plane = true}: behind the map it takes slope and coord then.
 //
 
 namespace umbrage {
@@ -15522,7 +15522,8 @@ struct receiver_room {
     alignas(64) glm::vec3 texels[block];
 };
 
-/// What `count` receivers have there: of a whole block as it is, else a copy, with zeros behind it that reach no result.
+/// What `count` receivers have there: of a whole block as it is, else a copy, with zeros behind it that reach no
+/// result.
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE inline const T* whole_block(const T* from, int count, T* room) {
     if (count == block) return from;
@@ -19093,8 +19094,8 @@ void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>
 
 }  // namespace detail
 
-/// Uniforms of up to four cascades, as cascade_column and cascade_by_projection take them. Warped cascades have a matrix
-/// each: warped.hpp.
+/// Uniforms of up to four cascades, as cascade_column and cascade_by_projection take them. Warped cascades have a
+/// matrix each: warped.hpp.
 /// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
 ///               overlap must have been asked for
 /// @return       where there are fewer than four, nothing falls into the others by depth or by projection
@@ -20174,7 +20175,7 @@ struct binding {
     std::string compare{};  ///< of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Empty:
                             ///< by direction. With one's own no receiver is beyond the far plane
     bool receiver_plane = false;   ///< moves each depth along the receiver's plane (apply_receiver_plane): functions
-                                   ///< take a vec4 behind the map, the plane's slope and the receiver's coordinate.
+                                   ///< take two vec2 behind the map, the plane's slope and the receiver's coordinate.
                                    ///< Not where texels are gathered or compared by the sampler
     std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
     std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
@@ -21222,8 +21223,8 @@ template <class = umbrage::detail::on_use>
         return expression;
     };
     if (map.arguments.empty()) ours(arguments);
-    const bool passes_plane = !receiver_plane.empty() || contains(words_of(text), "receiver_plane");
-    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_plane" : "";
+    const bool passes_plane = !receiver_plane.empty() || contains(words_of(text), "receiver_slope");
+    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_slope, receiver_coord" : "";
     const std::string depth = one_of(map.depth, "value.x");
     const auto list = [&](const std::string& all) {
         return replace_words(all,
@@ -21257,9 +21258,9 @@ template <class = umbrage::detail::on_use>
         if (word == "UMBRAGE_BORDER") return border;
         if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
         if (word == "UMBRAGE_DEPTH")
-            return of_texture(map.receiver_plane ? "umbrage_apply_receiver_plane(" + depth +
-                                                       ", receiver_plane.xy, receiver_plane.zw, texel)"
-                                                 : depth);
+            return of_texture(map.receiver_plane
+                                  ? "umbrage_apply_receiver_plane(" + depth + ", receiver_slope, receiver_coord, texel)"
+                                  : depth);
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(ours(words.lit));
@@ -21286,7 +21287,7 @@ struct language {
     std::string_view prelude;  ///< what every text begins with
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
-    std::string_view receiver_plane;             ///< declares the parameter of that name, a vector of four
+    std::string_view receiver_plane;             ///< declares receiver_slope and receiver_coord
     std::string_view may_reorder{};              ///< its name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     std::string_view function = "glsl::text";    ///< that a user calls
@@ -21564,11 +21565,12 @@ namespace detail {
 }
 
 template <class = umbrage::detail::on_use>
-inline constexpr language glsl_language{.prelude = prelude,
-                                        .texture = glsl_texture,
-                                        .translate = [](const snippet& s) { return s.source.str(); },
-                                        .receiver_plane = "UMBRAGE_HIGHP vec4 receiver_plane",
-                                        .may_reorder = "GLSL below 400 and 320 es"};
+inline constexpr language glsl_language{
+    .prelude = prelude,
+    .texture = glsl_texture,
+    .translate = [](const snippet& s) { return s.source.str(); },
+    .receiver_plane = "UMBRAGE_HIGHP vec2 receiver_slope, UMBRAGE_HIGHP vec2 receiver_coord",
+    .may_reorder = "GLSL below 400 and 320 es"};
 
 [[nodiscard]] constexpr bool is_es(version v) {
     return v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
@@ -22176,7 +22178,7 @@ inline constexpr glsl::detail::language language{
         [](const glsl::snippet& s) {
             return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
         },
-    .receiver_plane = "float4 receiver_plane",
+    .receiver_plane = "float2 receiver_slope, float2 receiver_coord",
     .function = "hlsl::text",
     .declare = glsl::detail::hlsl_interface};
 
@@ -22321,7 +22323,7 @@ inline constexpr glsl::detail::language language{
         [](const glsl::snippet& s) {
             return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
         },
-    .receiver_plane = "float4 receiver_plane",
+    .receiver_plane = "float2 receiver_slope, float2 receiver_coord",
     .function = "msl::text",
     .declare = glsl::detail::msl_interface};
 
@@ -23095,8 +23097,8 @@ template <class Use = umbrage::detail::on_use>
             .add_all({exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
                       hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets})
             // bias, shade, view
-            .add_all({light_units_snippets, constant_snippets, slope_snippets, distance_slope_snippets, normal_offset_snippets, kernel_snippets,
-                      receiver_plane_snippets, acne_free_snippets})
+            .add_all({light_units_snippets, constant_snippets, slope_snippets, distance_slope_snippets,
+                      normal_offset_snippets, kernel_snippets, receiver_plane_snippets, acne_free_snippets})
             .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets})
             .members();
     }();
@@ -23805,7 +23807,7 @@ template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{.prelude = "",
                                                  .texture = textures,
                                                  .translate = translate<Use>,
-                                                 .receiver_plane = "receiver_plane: vec4f",
+                                                 .receiver_plane = "receiver_slope: vec2f, receiver_coord: vec2f",
                                                  .may_reorder = "WGSL",
                                                  .preprocessor = false,
                                                  .function = "wgsl::text",
@@ -23944,8 +23946,8 @@ template <real T>
 }  // namespace umbrage
 
 // ---- umbrage/shadow/cascaded_maps.hpp
-// Cascades of a directional light, up to eight: a map each, the first that holds a receiver and its filter, and near its
-// border a blend with the next.
+// Cascades of a directional light, up to eight: a map each, the first that holds a receiver and its filter, and near
+// its border a blend with the next.
 //
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
 //     umbrage::shadow sun(cascades, {1024, 1024}, umbrage::filters::tent<3>);
@@ -24347,7 +24349,9 @@ template <class Filter>
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
     text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope").append(pixel).append(") {\n");
     if (contact_hardening<Filter>)
-        text += "    UMBRAGE_HIGHP vec4 receiver_plane = vec4(slope.x, slope.y, at.x, at.y);\n";
+        text +=
+            "    UMBRAGE_HIGHP vec2 receiver_slope = slope;\n"
+            "    UMBRAGE_HIGHP vec2 receiver_coord = vec2(at.x, at.y);\n";
     text.append("    UMBRAGE_HIGHP float bias = umbrage_").append(bias.name).append("(slope, ").append(reach);
     text.append(", terms.w);\n    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
     text.append(filter.snippet->name).append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver");
@@ -24704,7 +24708,8 @@ inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
 
 /// What a shadow's depth pass writes into a color target: umbrage_write_<name>(depth), of the depth that the depth
 /// buffer has. The target has the encoding's format, is not sRGB and not blended; it is cleared to cleared(). Depths in
-/// a depth texture need no such text. Exponents are the block's: umbrage_write_<name>(depth, filter_terms) for ESM, EVSM.
+/// a depth texture need no such text. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth,
+/// filter_terms).
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   another name
 template <class SetUp, class Filter, class Encoding>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Shadows in shaders: a cascaded sun, a spot packed into bytes, one under a comparison sampler and a cube in one; soft
-// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third. OpenGL and C++ have
-// to say the same of each receiver.
+// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third. OpenGL and C++
+// have to say the same of each receiver.
 //
 //     shadows_in_gl          prints how many receivers differ, in each dialect; 1 when some do
 //     shadows_in_gl --fault  one number of each block is wrong: all must differ
@@ -128,9 +128,9 @@ int main(int argc, char** argv) try {
         good = agree(v, std::move(all), of, fault) && good;
         if (old) continue;  // which has no textures of two or four floats
 
-        const auto floats = [](const auto& map, GLint internal, GLenum format) {
+        const auto floats = [](const auto& map, GLint stored, GLenum channels) {
             return texture_data{
-                .internal = internal, .format = format, .size = {map.size(), 1}, .texels = map.texels().data()};
+                .internal = stored, .format = channels, .size = {map.size(), 1}, .texels = map.texels().data()};
         };
         std::vector<tried> smooth;
         smooth.push_back(make("soft", soft, bind(soft, "soft"), floats(soft_map, GL_R32F, GL_RED), soft_map));
