@@ -7,7 +7,7 @@ set(looked_at images/encode images/min_max images/summed_area images/visibility 
     images/blocks/pcf_2x2 images/raster/projection images/raster/small_triangles
     images/raster/triangles)
 set(scalar # by intent: what a constructor sets once, and what a branch leaves out nearly always; or not used
-    "images/blocks/receivers.hpp:.* set[(]i, from"
+    "images/blocks/receivers.hpp:.* (set[(]i, from|room.rows.0..i. = texels)"
     "images/raster/projection.hpp:.* if [(]outside.i.[)] vertices"
     "images/raster/triangles.hpp:.* id.i. = 0")
 

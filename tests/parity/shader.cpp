@@ -2,6 +2,7 @@
 #include "shader.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <umbrage/shader/hlsl.hpp>
 #include <umbrage/shader/msl.hpp>
@@ -53,7 +54,8 @@ umbrage::glsl::binding bound_map::binding(dialect::language in) const {
 std::string bound_map::arguments(dialect::language in) const {
     const std::string map = name + (has_sampler(in) ? ", " + name + "_sampler" : "");
     std::string chosen = which;
-    if (const auto at = chosen.find("vec3"); at != chosen.npos) chosen.replace(at, 4, vec3_in[in]);
+    for (const auto& [word, words] : {std::pair("vec2", vec2_in), std::pair("vec3", vec3_in)})
+        if (const auto at = chosen.find(word); at != chosen.npos) chosen.replace(at, 4, words[in]);
     switch (as.texture) {
         case texture::atlas: return map + (as.origin.empty() ? ", " + (which.empty() ? pair(origin, in) : chosen) : "");
         case texture::array:

@@ -31,7 +31,7 @@ inline constexpr T tessellation_reach = T(0.825);
 /// @return            (s, s), s 0 .. 2; 2 where the light sees the plane edge-on, and for NaN; 0 for a normal of zero
 /// @formula           s = sqrt(1/2) per_texel (|p| + |p.z|) |n x p| / |n . p|: a texel is 2 (1 + |p.z| / |p|) /
 ///                    (map_size - 2 border) radians wide, and distance grows by |p| tan(angle of n and p) a radian
-/// @exactness         C, n = 39: square roots and a division. S(n . p) / |n . p| counts as one value more
+/// @exactness         C, n = 41: square roots and a division. S(n . p) / |n . p| counts as one value more
 template <real T>
 [[nodiscard]] glm::vec<2, T> dual_paraboloid_slope(glm::vec<3, T> way, glm::vec<3, T> normal, T per_texel) {
     if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
@@ -52,7 +52,7 @@ inline constexpr snippet dual_paraboloid_slope{
     .name = "dual_paraboloid_slope",
     .summary = "change of distance from texel to texel of a paraboloid's map",
     .exactness = tier::c,
-    .operations = 39,
+    .operations = 41,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
 // umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal

@@ -7,6 +7,7 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -118,8 +119,7 @@ struct receiver_room {
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE inline const T* whole_block(const T* from, int count, T* room) {
     if (count == block) return from;
-    for (int i = 0; i < block; ++i) room[i] = T(0);
-    for (int i = 0; i < count; ++i) room[i] = from[i];
+    std::fill(std::copy_n(from, count, room), room + block, T(0));
     return room;
 }
 

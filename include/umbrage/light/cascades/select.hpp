@@ -106,7 +106,7 @@ template <real T>
 
 /// cascade_by_projection of up to eight cascades, in groups of four.
 /// @return        number 8 where none holds the point: shaders read layer min(number, 7)
-/// @exactness     B, n = 4: S as cascade_coordinate and inside_cascade
+/// @exactness     B, n = 5: S as cascade_coordinate and inside_cascade
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection_8(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
                                                                const glm::mat<4, 4, T>& offsets,
@@ -236,7 +236,7 @@ inline constexpr snippet cascade_by_projection_8{
     .name = "cascade_by_projection_8",
     .summary = "first of eight cascades that holds a point and its filter",
     .exactness = tier::b,
-    .operations = 4,
+    .operations = 5,
     .needs = list<&cascade_by_projection>,
     .source = R"GLSL(
 // umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
