@@ -1868,7 +1868,7 @@ inline constexpr T tessellation_reach = T(0.825);
 /// @return            (s, s), s 0 .. 2; 2 where the light sees the plane edge-on, and for NaN; 0 for a normal of zero
 /// @formula           s = sqrt(1/2) per_texel (|p| + |p.z|) |n x p| / |n . p|: a texel is 2 (1 + |p.z| / |p|) /
 ///                    (map_size - 2 border) radians wide, and distance grows by |p| tan(angle of n and p) a radian
-/// @exactness         C, n = 39: square roots and a division. S(n . p) / |n . p| counts as one value more
+/// @exactness         C, n = 41: square roots and a division. S(n . p) / |n . p| counts as one value more
 template <real T>
 [[nodiscard]] glm::vec<2, T> dual_paraboloid_slope(glm::vec<3, T> way, glm::vec<3, T> normal, T per_texel) {
     if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
@@ -1889,7 +1889,7 @@ inline constexpr snippet dual_paraboloid_slope{
     .name = "dual_paraboloid_slope",
     .summary = "change of distance from texel to texel of a paraboloid's map",
     .exactness = tier::c,
-    .operations = 39,
+    .operations = 41,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
 // umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
@@ -9310,7 +9310,7 @@ template <real T>
 
 /// cascade_by_projection of up to eight cascades, in groups of four.
 /// @return        number 8 where none holds the point: shaders read layer min(number, 7)
-/// @exactness     B, n = 4: S as cascade_coordinate and inside_cascade
+/// @exactness     B, n = 5: S as cascade_coordinate and inside_cascade
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection_8(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
                                                                const glm::mat<4, 4, T>& offsets,
@@ -9440,7 +9440,7 @@ inline constexpr snippet cascade_by_projection_8{
     .name = "cascade_by_projection_8",
     .summary = "first of eight cascades that holds a point and its filter",
     .exactness = tier::b,
-    .operations = 4,
+    .operations = 5,
     .needs = list<&cascade_by_projection>,
     .source = R"GLSL(
 // umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
@@ -15527,8 +15527,7 @@ struct receiver_room {
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE inline const T* whole_block(const T* from, int count, T* room) {
     if (count == block) return from;
-    for (int i = 0; i < block; ++i) room[i] = T(0);
-    for (int i = 0; i < count; ++i) room[i] = from[i];
+    std::fill(std::copy_n(from, count, room), room + block, T(0));
     return room;
 }
 

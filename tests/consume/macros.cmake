@@ -15,7 +15,7 @@ list(JOIN others "\n" others)
 set(macros "#include \"${CMAKE_CURRENT_LIST_DIR}/macros.hpp\"")
 
 foreach(compiler IN LISTS COMPILERS)
-    foreach(header IN ITEMS include/umbrage/umbrage.hpp include/umbrage/primitives.hpp single_include/umbrage/umbrage.hpp)
+    foreach(header IN ITEMS include/umbrage/primitives.hpp single_include/umbrage/umbrage.hpp)
         string(REGEX REPLACE "/umbrage/.*" "" folder ${header})
         foreach(before IN ITEMS "" "${others}")
             file(WRITE macros.cpp "${before}\n${macros}\n#include \"${UMBRAGE}/${header}\"\n")

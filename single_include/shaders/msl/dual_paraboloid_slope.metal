@@ -1,6 +1,6 @@
 // umbrage 0.1.0, dual_paraboloid_slope: change of distance from texel to texel of a paraboloid's map. Exactness: tier
 //   C.
-// dual_paraboloid_slope, tier C: within 39 x 2^-23 x S of the exact result.
+// dual_paraboloid_slope, tier C: within 41 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT

@@ -1,7 +1,7 @@
 // umbrage 0.1.0, cascade_by_projection_8: first of eight cascades that holds a point and its filter. Exactness: tier
 //   B.
 // WGSL lets compilers fuse or reorder sums.
-// cascade_by_projection_8, tier B: within 4 x 2^-23 x S of the exact result.
+// cascade_by_projection_8, tier B: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
