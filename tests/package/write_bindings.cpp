@@ -33,7 +33,8 @@ std::vector<binding> depths() {
             {.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}}};
 }
 
-/// Every option of a map; texts in it are in the language.
+/// Every option of a map; texts in it are in the language. How depth is read and where the map lies share no text, so
+/// that each is tried with one of the other.
 std::vector<binding> maps(std::string_view language) {
     const std::string vec2 = language == "wgsl" ? "vec2f" : language == "glsl" ? "vec2" : "float2";
     std::vector<binding> all;
@@ -42,6 +43,7 @@ std::vector<binding> maps(std::string_view language) {
             for (const bool gather : {false, true})
                 for (const auto outside : {umbrage::outside_map::clamped, umbrage::outside_map::bordered})
                     for (const int region : {0, 1, 2}) {
+                        if (!map.depth.empty() && (region > 0 || outside == umbrage::outside_map::clamped)) continue;
                         map.texture = t.kind;
                         map.gather = gather;
                         map.outside = outside;
