@@ -12,10 +12,12 @@ void add_bias_distance_slope(std::vector<entry>& all) {
     auto classes = spread(
         {{-9.0f, 9.0f}, {-9.0f, 9.0f}, {-9.0f, 9.0f}, {1e-5f, 0.01f}, {-1.0f, 1.0f}, {-1.0f, 1.0f}, {-1.0f, 1.0f}},
         large_values());
-    classes.push_back({"no normal", [spread = classes[0].fill](std::uint64_t i, random& r, sample& s) {
-                           spread(i, r, s);
-                           s.x[1].x = s.x[1].y = s.x[1].z = 0.0f;
-                       }});
+    classes.push_back(
+        {"no normal, or along an axis", [spread = classes[0].fill](std::uint64_t i, random& r, sample& s) {
+             spread(i, r, s);
+             for (int k = 0; k < 3; ++k)
+                 if (i % 4 != static_cast<std::uint64_t>(k)) s.x[1][k] = 0.0f;
+         }});
     all.push_back({.primitive = &glsl::dual_paraboloid_slope,
                    .classes = classes,
                    .twin =

@@ -26,10 +26,13 @@ void add_bias_slope(std::vector<entry>& all) {
          .call = "vec4(umbrage_plane_slope(mat4(x2, x3, x4, x5), vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), "
                  "0.0, 0.0)"});
     const auto with_no_normal = [](std::vector<input_class> classes) {
-        classes.push_back({"no normal", [spread = classes[0].fill](std::uint64_t i, random& r, sample& s) {
-                               spread(i, r, s);
-                               s.x[0].x = s.x[0].y = s.x[0].z = 0.0f;
-                           }});
+        classes.push_back(
+            {"no normal, or along an axis", [spread = classes[0].fill](std::uint64_t i, random& r, sample& s) {
+                 spread(i, r, s);
+                 for (int k = 0; k < 3; ++k)
+                     if (i % 4 != static_cast<std::uint64_t>(k)) s.x[0][k] = 0.0f;
+                 if (i % 3 == 0) s.x[1].x = 0.0f;
+             }});
         return classes;
     };
     all.push_back(
