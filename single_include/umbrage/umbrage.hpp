@@ -1847,8 +1847,8 @@ inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &re
 }  // namespace umbrage
 
 // ---- umbrage/bias/distance_slope.hpp
-// How distance from a light changes from texel to texel of a dual paraboloid map where it sees a plane. Depths there
-// are distances: plane_slope does not hold for them.
+// Slope of a plane in a dual paraboloid map: the change of distance from the light, from one texel to the next. Depths
+// are distances there, so that plane_slope does not hold.
 //
 //     glm::vec2 slope = umbrage::dual_paraboloid_slope(world - light.position, normal, 2.0f / (light.range * inner));
 //     float bias = umbrage::acne_free_bias(slope, filter.reach() + umbrage::tessellation_reach<float>, error);
@@ -1856,7 +1856,7 @@ inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &re
 
 namespace umbrage {
 
-/// What tessellate leaves of places in a dual paraboloid map: a reach in texels to add to a filter's.
+/// Error, in texels, of places in a dual paraboloid map whose mesh tessellate has cut: add it to a filter's reach.
 template <real T>
 inline constexpr T tessellation_reach = T(0.825);
 
@@ -9907,11 +9907,8 @@ inline constexpr const snippet* cube_atlas_snippets[]{&cube_atlas_texel, &cube_a
 // A vertex shader's gl_Position is projection * umbrage_dual_paraboloid_position(world - p, map), of the mesh as it is
 // cut. What is behind the map needs a clip distance: position.w - 0.1 * distance, say.
 //
-// plane_slope does not hold for distances. The bias is that of their slope a texel, with d = normalize(world - p) and t
-// the angle between d and the surface's normal; 0.825 texels are for what tessellation leaves of places:
-//
-//     float slope = depth * 2 * (1 + std::abs(d.z)) / (512 - 2 * 2) * std::tan(t);
-//     float bias = umbrage::acne_free_bias(glm::vec2(slope * std::sqrt(0.5f)), filter.reach() + 0.825f, error);
+// plane_slope does not hold for distances: bias/distance_slope.hpp has their slope, and what tessellation adds to a
+// reach.
 //
 // A border of texels sees past the half: filters then need no other map, as in point_light.hpp.
 
@@ -15055,7 +15052,7 @@ struct block_form;
 template <class Filter>
 struct every_texel_form;
 
-/// Of forms whose blocks look nothing up.
+/// Base of forms whose blocks look nothing up in tables.
 struct no_tables {};
 struct without_tables {
     template <class Filter, class ParallelFor>
@@ -15173,7 +15170,7 @@ UMBRAGE_INLINE inline void gather(const texel_bytes<T>& memory, const std::int32
     }
 }
 
-/// What is loaded for a block of receivers, from where offsets point to: a texel each, or two neighbors of two rows.
+/// Texels loaded for a block of receivers: one for each receiver, or two neighbors in each of two rows.
 template <class Map>
 struct loaded_texels;
 
@@ -15265,7 +15262,7 @@ UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int
 
 namespace umbrage::detail {
 
-/// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
+/// Reads stored texels one by one, of encodings that have a fast form for that. Maps of others are decoded first.
 [[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
 template <int Bits>
 [[nodiscard]] rg_texels texels_of(image_view<const glm::u8vec2> map, const rg<Bits>& encoding) {
@@ -15276,7 +15273,7 @@ concept has_texels_form = requires(image_view<const typename Encoding::texel> ma
     texels_of(map, e);
 };
 
-/// Whether a form reads an encoding's maps as they are stored.
+/// Tells whether a form reads an encoding's maps as they are stored.
 template <class Form, class Encoding>
 inline constexpr bool reads_stored = std::is_same_v<Encoding, depth32f> ||
                                      (Form::need == map_need::texels && has_texels_form<Encoding>);
@@ -15300,7 +15297,7 @@ struct form_map<Encoding, false> {
     }
 };
 
-/// Whether a form can read a map, and to decode it, where that has to be done, is less work than so many receivers.
+/// Tells whether a form can read a map. A map that must be decoded first has to be worth it for so many receivers.
 template <class Form, class Texel>
 [[nodiscard]] bool form_takes(image_view<const Texel> map, bool stored, glm::ivec2 receivers) {
     const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
@@ -15518,12 +15515,12 @@ struct block_walk {
 
 /// Memory for a block of receivers that cannot be read where they are.
 struct receiver_room {
-    alignas(64) float rows[5][block];
+    alignas(64) float rows[5][block];  ///< x, y, depth, and of planes their slopes
     alignas(64) glm::vec3 texels[block];
 };
 
-/// What `count` receivers have there: of a whole block as it is, else a copy, with zeros behind it that reach no
-/// result.
+/// Returns a block of `count` values: a whole one as it is, a shorter one copied to `room`. Zeros fill the copy; they
+/// reach no result.
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE inline const T* whole_block(const T* from, int count, T* room) {
     if (count == block) return from;
@@ -24103,7 +24100,7 @@ struct cascaded_maps {
 };
 
 template <real T, std::size_t Count>
-cascaded_maps(const std::array<cascade<T>, Count>&, float = 0) -> cascaded_maps<(Count > 4 ? 2 : 1)>;
+cascaded_maps(const std::array<cascade<T>, Count>&, float = 16.0f) -> cascaded_maps<(Count > 4 ? 2 : 1)>;
 
 template <real T, std::size_t Count>
 struct set_up_for<std::array<cascade<T>, Count>> {

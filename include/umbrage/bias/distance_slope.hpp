@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How distance from a light changes from texel to texel of a dual paraboloid map where it sees a plane. Depths there
-// are distances: plane_slope does not hold for them.
+// Slope of a plane in a dual paraboloid map: the change of distance from the light, from one texel to the next. Depths
+// are distances there, so that plane_slope does not hold.
 //
 //     glm::vec2 slope = umbrage::dual_paraboloid_slope(world - light.position, normal, 2.0f / (light.range * inner));
 //     float bias = umbrage::acne_free_bias(slope, filter.reach() + umbrage::tessellation_reach<float>, error);
@@ -19,7 +19,7 @@
 
 namespace umbrage {
 
-/// What tessellate leaves of places in a dual paraboloid map: a reach in texels to add to a filter's.
+/// Error, in texels, of places in a dual paraboloid map whose mesh tessellate has cut: add it to a filter's reach.
 template <real T>
 inline constexpr T tessellation_reach = T(0.825);
 

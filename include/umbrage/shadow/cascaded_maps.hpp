@@ -169,7 +169,7 @@ struct cascaded_maps {
 };
 
 template <real T, std::size_t Count>
-cascaded_maps(const std::array<cascade<T>, Count>&, float = 0) -> cascaded_maps<(Count > 4 ? 2 : 1)>;
+cascaded_maps(const std::array<cascade<T>, Count>&, float = 16.0f) -> cascaded_maps<(Count > 4 ? 2 : 1)>;
 
 template <real T, std::size_t Count>
 struct set_up_for<std::array<cascade<T>, Count>> {

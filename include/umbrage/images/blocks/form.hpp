@@ -49,7 +49,7 @@ struct block_form;
 template <class Filter>
 struct every_texel_form;
 
-/// Of forms whose blocks look nothing up.
+/// Base of forms whose blocks look nothing up in tables.
 struct no_tables {};
 struct without_tables {
     template <class Filter, class ParallelFor>

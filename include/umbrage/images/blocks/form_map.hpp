@@ -24,7 +24,7 @@
 
 namespace umbrage::detail {
 
-/// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
+/// Reads stored texels one by one, of encodings that have a fast form for that. Maps of others are decoded first.
 [[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
 template <int Bits>
 [[nodiscard]] rg_texels texels_of(image_view<const glm::u8vec2> map, const rg<Bits>& encoding) {
@@ -35,7 +35,7 @@ concept has_texels_form = requires(image_view<const typename Encoding::texel> ma
     texels_of(map, e);
 };
 
-/// Whether a form reads an encoding's maps as they are stored.
+/// Tells whether a form reads an encoding's maps as they are stored.
 template <class Form, class Encoding>
 inline constexpr bool reads_stored = std::is_same_v<Encoding, depth32f> ||
                                      (Form::need == map_need::texels && has_texels_form<Encoding>);
@@ -59,7 +59,7 @@ struct form_map<Encoding, false> {
     }
 };
 
-/// Whether a form can read a map, and to decode it, where that has to be done, is less work than so many receivers.
+/// Tells whether a form can read a map. A map that must be decoded first has to be worth it for so many receivers.
 template <class Form, class Texel>
 [[nodiscard]] bool form_takes(image_view<const Texel> map, bool stored, glm::ivec2 receivers) {
     const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };

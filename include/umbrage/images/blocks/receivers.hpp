@@ -110,12 +110,12 @@ struct block_walk {
 
 /// Memory for a block of receivers that cannot be read where they are.
 struct receiver_room {
-    alignas(64) float rows[5][block];
+    alignas(64) float rows[5][block];  ///< x, y, depth, and of planes their slopes
     alignas(64) glm::vec3 texels[block];
 };
 
-/// What `count` receivers have there: of a whole block as it is, else a copy, with zeros behind it that reach no
-/// result.
+/// Returns a block of `count` values: a whole one as it is, a shorter one copied to `room`. Zeros fill the copy; they
+/// reach no result.
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE inline const T* whole_block(const T* from, int count, T* room) {
     if (count == block) return from;

@@ -104,7 +104,7 @@ UMBRAGE_INLINE inline void gather(const texel_bytes<T>& memory, const std::int32
     }
 }
 
-/// What is loaded for a block of receivers, from where offsets point to: a texel each, or two neighbors of two rows.
+/// Texels loaded for a block of receivers: one for each receiver, or two neighbors in each of two rows.
 template <class Map>
 struct loaded_texels;
 

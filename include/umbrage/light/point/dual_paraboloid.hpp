@@ -14,11 +14,8 @@
 // A vertex shader's gl_Position is projection * umbrage_dual_paraboloid_position(world - p, map), of the mesh as it is
 // cut. What is behind the map needs a clip distance: position.w - 0.1 * distance, say.
 //
-// plane_slope does not hold for distances. The bias is that of their slope a texel, with d = normalize(world - p) and t
-// the angle between d and the surface's normal; 0.825 texels are for what tessellation leaves of places:
-//
-//     float slope = depth * 2 * (1 + std::abs(d.z)) / (512 - 2 * 2) * std::tan(t);
-//     float bias = umbrage::acne_free_bias(glm::vec2(slope * std::sqrt(0.5f)), filter.reach() + 0.825f, error);
+// plane_slope does not hold for distances: bias/distance_slope.hpp has their slope, and what tessellation adds to a
+// reach.
 //
 // A border of texels sees past the half: filters then need no other map, as in point_light.hpp.
 #pragma once
