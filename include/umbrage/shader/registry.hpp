@@ -61,6 +61,7 @@
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/view/false_color.hpp>
 #include <umbrage/view/overlay_texel.hpp>
+#include <umbrage/view/probe_color.hpp>
 
 namespace umbrage::glsl {
 
@@ -141,7 +142,7 @@ template <class Use = umbrage::detail::on_use>
             // bias, shade, view
             .add_all({light_units_snippets, constant_snippets, slope_snippets, distance_slope_snippets,
                       normal_offset_snippets, kernel_snippets, receiver_plane_snippets, acne_free_snippets})
-            .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets})
+            .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets, probe_color_snippets})
             .members();
     }();
     return all;

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+//
+// Colors that say what is wrong with a receiver, as a debug view: texels of each map where all is well, and a plain
+// color for each reason why a receiver cannot be shadowed.
+//
+//     glm::vec3 color = umbrage::probe_color(at, glm::vec2(1024), bias, 0.0f);
+//     color = umbrage::probe_inputs(color, world, normal);
+//
+// A shadow has both as one function, in C++ and in shaders: shadow/probe.hpp. Engines call such a view "visualize
+// cascades" or "shadow debug mode".
+#pragma once
+
+#include <cmath>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/core/clip_space.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/core/snippet.hpp>
+
+namespace umbrage {
+
+namespace detail {
+
+/// Tells whether a probe can use a number: neither NaN nor 2^64 and more.
+template <real T>
+[[nodiscard]] constexpr bool is_usable(T v) {
+    return !is_nan(v) && v < T(0x1p64) && v > T(-0x1p64);
+}
+
+}  // namespace detail
+
+/// What a receiver's place in a map says, as a color.
+///
+/// @param at       (x, y) in texels, z depth, before the bias
+/// @param size     of the map, texels
+/// @param bias     of the receiver
+/// @param number   of the map, whole, 0 .. 65535: a cascade, a face, a page
+/// @return         RGB in [0, 1]. Magenta: not a number. Black: behind the light, or in no cascade. White: outside the
+///                 map. Cyan: beyond the far plane. Blue: before the near plane. Red: bias at its limit of 1, so that
+///                 nothing is in shadow. Else squares of one texel, in the map's own color, of which there are eight
+/// @formula        bits of number + 1 choose 0.875 or 0.375 for red, green and blue; every other square by 0.75
+/// @exactness      A
+template <real T>
+[[nodiscard]] glm::vec<3, T> probe_color(glm::vec<3, T> at, glm::vec<2, T> size, T bias, T number,
+                                         depth_direction direction = depth_direction::forward) {
+    using color = glm::vec<3, T>;
+    const T z_far = T(cleared_depth(direction)), z_near = T(1) - z_far;
+    if (!(detail::is_usable(at.x) && detail::is_usable(at.y) && detail::is_usable(at.z))) return color(1, 0, 1);
+    if (at.x >= T(65536)) return color(0, 0, 0);
+    if (!(at.x >= T(0) && at.y >= T(0) && at.x <= size.x && at.y <= size.y)) return color(1, 1, 1);
+    if (z_far > z_near ? at.z > T(1) : at.z < T(0)) return color(0, 1, 1);
+    if (z_far > z_near ? at.z < T(0) : at.z > T(1)) return color(0, 0, 1);
+    if (is_nan(bias) || !(bias < T(1))) return color(1, 0, 0);
+    const auto is_odd = [](T v) { return v - T(2) * std::floor(v * T(0.5)) > T(0.5); };
+    const T shade = is_odd(std::floor(at.x) + std::floor(at.y)) ? T(0.75) : T(1);
+    const auto level = [&](T bit) { return (is_odd(std::floor((number + T(1)) * bit)) ? T(0.875) : T(0.375)) * shade; };
+    return {level(T(1)), level(T(0.5)), level(T(0.25))};
+}
+
+/// The color, unless the receiver itself is wrong.
+///
+/// @param color    of probe_color
+/// @param world    the receiver's position
+/// @param normal   of its surface
+/// @return         magenta where a component is NaN, or 2^64 and more; yellow for a normal of zero, which gets no bias;
+///                 else color
+/// @exactness      A
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> probe_inputs(glm::vec<3, T> color, glm::vec<3, T> world, glm::vec<3, T> normal) {
+    bool usable = true, zero = true;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        usable = usable && detail::is_usable(world[i]) && detail::is_usable(normal[i]);
+        zero = zero && normal[i] == T(0);
+    }
+    if (!usable) return {T(1), T(0), T(1)};
+    return zero ? glm::vec<3, T>(T(1), T(1), T(0)) : color;
+}
+
+namespace glsl {
+
+inline constexpr snippet probe_color{
+    .name = "probe_color",
+    .summary = "debug color of a place in a map: its texels, or why it cannot be shadowed",
+    .exactness = tier::a,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_probe_color: what a receiver's place in a map says, as a color
+//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
+//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
+//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
+                                       UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    bool usable = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;
+    bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    bool forward = umbrage_cleared_depth() > 0.5;
+    bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
+    bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
+    UMBRAGE_HIGHP float square = floor(at.x) + floor(at.y);
+    UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
+    UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    bits = bits - 2.0 * floor(bits * 0.5);
+    UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
+    color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);
+    color = past_near ? vec3(0.0, 0.0, 1.0) : color;
+    color = past_far ? vec3(0.0, 1.0, 1.0) : color;
+    color = inside ? color : vec3(1.0, 1.0, 1.0);
+    color = at.x < 65536.0 ? color : vec3(0.0, 0.0, 0.0);
+    return usable ? color : vec3(1.0, 0.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet probe_inputs{
+    .name = "probe_inputs",
+    .summary = "debug color, unless position or normal are wrong",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
+                                        UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    bool usable = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
+    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec3 given = zero ? vec3(1.0, 1.0, 0.0) : color;
+    return usable ? given : vec3(1.0, 0.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* probe_color_snippets[]{&probe_color, &probe_inputs};
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <bit>
+#include <cmath>
+
+#include <umbrage/view/probe_color.hpp>
+
+#include "../entries.hpp"
+
+namespace parity {
+namespace {
+
+/// (x, y, depth, bias) and (size, number) of receivers inside, and on both sides of every border.
+std::vector<input_class> places() {
+    constexpr float width = 40, height = 24;
+    const auto fill = [](random& r, sample& s) {
+        s.x[0] = {r.between(0, width), r.between(0, height), r.between(0, 1), r.between(0, 0.9f)};
+        s.x[1] = {width, height, static_cast<float>(r.below(20)), 0};
+    };
+    std::vector<input_class> classes{
+        {"random", [=](std::uint64_t, random& r, sample& s) { fill(r, s); }},
+        {"borders", [=](std::uint64_t i, random& r, sample& s) {
+             fill(r, s);
+             const float edges[][4]{{0, 0, 0, 1}, {width, height, 1, 1}, {65536, 65536, 0, 1}};
+             const int axis = r.below(4);
+             const float edge = edges[i % 3][axis];
+             const float beside[]{edge, std::nextafter(edge, 1e9f), std::nextafter(edge, -1.0f), edge - 0.25f,
+                                  edge + 0.25f};
+             s.x[0][axis] = beside[r.below(5)];
+             if (i % 7 == 0) s.x[0][r.below(4)] = static_cast<float>(r.below(3)) * 65536.0f;
+         }}};
+    for (const value_class& kind : large_values())
+        classes.push_back({kind.name, [=](std::uint64_t i, random& r, sample& s) {
+                               fill(r, s);
+                               s.x[0][static_cast<int>(i % 4)] = kind.make(i, r);
+                           }});
+    return classes;
+}
+
+/// A color, a position and a normal, each of whose components may be anything.
+std::vector<input_class> inputs() {
+    const auto fill = [](std::uint64_t i, random& r, sample& s) {
+        s.x[0] = {0.25f, 0.5f, 0.75f, 0};
+        s.x[1] = {r.between(-9, 9), r.between(-9, 9), r.between(-9, 9), 0};
+        s.x[2] = i % 3 ? vec4(r.between(-1, 1), r.between(-1, 1), r.between(-1, 1), 0) : vec4(0);
+        if (i % 3 == 0 && i % 2) s.x[2][r.below(3)] = 1;
+    };
+    std::vector<input_class> classes{{"random", fill}};
+    for (const value_class& kind : large_values())
+        classes.push_back({kind.name, [=](std::uint64_t i, random& r, sample& s) {
+                               fill(i, r, s);
+                               s.x[1 + r.below(2)][r.below(3)] = kind.make(i, r);
+                           }});
+    return classes;
+}
+
+}  // namespace
+
+void add_view_probe_color(std::vector<entry>& all) {
+    namespace glsl = umbrage::glsl;
+    using namespace umbrage;
+
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed})
+        all.push_back({.primitive = &glsl::probe_color,
+                       .variant = direction == depth_direction::forward ? "" : "reversed",
+                       .classes = places(),
+                       .twin =
+                           [direction](const sample& s) {
+                               return vec4(
+                                   probe_color(glm::vec3(s.x[0]), glm::vec2(s.x[1]), s.x[0].w, s.x[1].z, direction), 0);
+                           },
+                       .call = "vec4(umbrage_probe_color(x0.xyz, x1.xy, x0.w, x1.z), 0.0)",
+                       .map_kind = {.direction = direction}});
+    all.push_back({.primitive = &glsl::probe_inputs,
+                   .classes = inputs(),
+                   .twin =
+                       [](const sample& s) {
+                           return vec4(probe_inputs(glm::vec3(s.x[0]), glm::vec3(s.x[1]), glm::vec3(s.x[2])), 0);
+                       },
+                   .call = "vec4(umbrage_probe_inputs(x0.xyz, x1.xyz, x2.xyz), 0.0)"});
+}
+
+}  // namespace parity
