@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Up to four shadows in one shader: OpenGL draws what each says of the same receivers, from blocks that hold the bytes
-// of uniforms(), and C++ says it too.
+// Up to four numbers of one shader's shadows: OpenGL draws what each says of the same receivers, from blocks that hold
+// the bytes of uniforms(), and C++ says it too.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,8 +33,24 @@ struct texture_data {
     GLenum format = GL_RED, type = GL_FLOAT;
     glm::ivec3 size{0, 0, 1};
     const void* texels = nullptr;
-    bool compares = false;
+    GLenum compares = 0;  ///< the sampler's function
 };
+
+/// The receivers' places and normals.
+struct receivers {
+    image<glm::vec4> points{target_size}, normals{target_size};
+
+    receivers() {
+        std::mt19937 random(11);
+        std::uniform_real_distribution<float> anywhere(-12, 12), tilt(-1, 1);
+        for (glm::vec4& p : points.texels()) p = {anywhere(random), random() % 4 == 0 ? 2 : 0, anywhere(random), 1};
+        for (glm::vec4& n : normals.texels())
+            n = random() % 2 == 0 ? glm::vec4(0, 1, 0, 0) : glm::vec4(tilt(random), 2, tilt(random), 0);
+        for (int i = 0; i < 40; ++i) normals[{i, 3}] = glm::vec4(0);
+    }
+};
+
+using shadow_twin = std::function<float(glm::vec3 world, glm::vec3 normal, glm::ivec2 pixel)>;
 
 /// A shadow, its map, and what shaders and C++ say of it.
 struct tried {
@@ -41,19 +58,27 @@ struct tried {
     glsl::bound item;
     std::vector<float> block;
     texture_data map;
-    std::function<float(glm::vec3 world, glm::vec3 normal, glm::ivec2 pixel)> twin;
-    bool takes_pixel = false;
+    shadow_twin twin;
+    std::string call;  ///< of world, normal and gl_FragCoord
 };
 
 template <class Shadow>
-tried make(std::string name, const Shadow& s, glsl::bound item, texture_data map,
-           const image<typename Shadow::texel>& texels) {
+tried make(std::string name, const Shadow& s, glsl::bound item, texture_data map, std::string call, shadow_twin twin) {
     const auto uniforms = s.uniforms();
     std::vector<float> block(sizeof uniforms / sizeof(float));
     std::memcpy(block.data(), &uniforms, sizeof uniforms);
-    return {
-        std::move(name), std::move(item), std::move(block), map,
-        [&s, &texels](glm::vec3 world, glm::vec3 normal, glm::ivec2 pixel) { return s(texels, world, normal, pixel); }};
+    return {std::move(name), std::move(item), std::move(block), map, std::move(twin), std::move(call)};
+}
+
+/// Its visibility.
+template <class Shadow>
+tried make(std::string name, const Shadow& s, glsl::bound item, texture_data map,
+           const image<typename Shadow::texel>& texels) {
+    std::string call = "umbrage_" + name + "(world, normal" +
+                       (item.declared->functions[0].arguments.size() > 2 ? ", gl_FragCoord.xy)" : ")");
+    return make(
+        std::move(name), s, std::move(item), map, std::move(call),
+        [&s, &texels](glm::vec3 world, glm::vec3 normal, glm::ivec2 pixel) { return s(texels, world, normal, pixel); });
 }
 
 inline GLuint upload(const texture_data& t) {
@@ -64,7 +89,10 @@ inline GLuint upload(const texture_data& t) {
         glTexParameteri(t.kind, GLenum(filter), GL_NEAREST);
     for (const auto wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         glTexParameteri(t.kind, GLenum(wrap), GL_CLAMP_TO_EDGE);
-    if (t.compares) glTexParameteri(t.kind, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    if (t.compares != 0) {
+        glTexParameteri(t.kind, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        glTexParameteri(t.kind, GL_TEXTURE_COMPARE_FUNC, GLint(t.compares));
+    }
     if (t.kind == GL_TEXTURE_2D_ARRAY)
         glTexImage3D(t.kind, 0, t.internal, t.size.x, t.size.y, t.size.z, 0, t.format, t.type, t.texels);
     else glTexImage2D(t.kind, 0, t.internal, t.size.x, t.size.y, 0, t.format, t.type, t.texels);
@@ -83,15 +111,14 @@ inline GLuint compiled(GLenum stage, const std::string& text) {
     return id;
 }
 
-/// A program that draws the visibilities of the receivers in two textures, each in a channel.
+/// A program that draws what is said of the receivers in two textures, each in a channel; neighbors may share a shadow.
 inline GLuint linked(version v, const std::vector<tried>& all) {
     const bool old = v == version::v100;
     std::vector<glsl::bound> items;
     std::string calls;
     for (const tried& t : all) {
-        items.push_back(t.item);
-        calls += (calls.empty() ? "" : ", ") + ("umbrage_" + t.name + "(world, normal") +
-                 (t.takes_pixel ? ", gl_FragCoord.xy)" : ")");
+        if (items.empty() || items.back().declared->name != t.name) items.push_back(t.item);
+        calls += (calls.empty() ? "" : ", ") + t.call;
     }
     for (std::size_t i = all.size(); i < 4; ++i) calls += ", 0.0";
     const std::string read = old ? "texture2D(" : "texture(";

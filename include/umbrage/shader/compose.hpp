@@ -130,10 +130,14 @@ private:
         const shader_interface& i = *item.declared;
         umbrage::detail::require(language_.declare != nullptr, language_.function, "version",
                                  "given for a shadow's uniforms", "none");
-        for (const part& done : done_)
-            if (done.what + done.suffix == i.name)
-                umbrage::detail::refuse(language_.function, "name", "another than a snippet's or shadow's of the text",
-                                        std::string_view(i.name));
+        for (const interface_function& f : i.functions) {
+            const std::string name = name_of(i, f).substr(8);  // behind umbrage_
+            for (const part& done : done_)
+                if (done.what + done.suffix == name)
+                    umbrage::detail::refuse(language_.function, "name",
+                                            "another than a snippet's or shadow's of the text", std::string_view(name));
+            done_.push_back({name, {}, {}});
+        }
         map_parameter map;
         const std::string parameters = parameters_of(item.map, language_.texture(item.map.texture));
         for (const std::string_view parameter : members(parameters)) {
@@ -143,7 +147,6 @@ private:
             if (name == "map_sampler") map.sampler = std::move(one);
         }
         text_ += language_.declare(i, map, language_.dialect.value_or(version::vulkan));
-        done_.push_back({i.name, {}, {}});
     }
 
     /// Tells whether the item prints functions that belong to its map.

@@ -34,12 +34,26 @@ struct shader_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;
 };
 
+/// A function of the shader for one shadow, which hands its arguments on behind the map and the block.
+struct interface_function {
+    struct argument {
+        std::string_view name;
+        int components = 3;
+    };
+    std::string_view name{};                     ///< umbrage_<name>_<shadow>; umbrage_<shadow> for none
+    std::string_view calls;                      ///< umbrage_<calls>_<shadow>
+    std::string_view says;                       ///< what it gives, for a comment
+    int components = 1;                          ///< of what it returns
+    bool reads_map = true, reads_fields = true;  ///< else the last two alone: shadow_terms
+    std::vector<argument> arguments{};
+};
+
 /// What a text declares for one shadow.
 struct shader_interface {
-    std::string name;                     ///< function umbrage_<name>
+    std::string name;
     std::vector<uniform_field> fields{};  ///< of the block
     shader_slots slots{};
-    bool takes_pixel = false;  ///< a third argument, the position in pixels, for filters that turn
+    std::vector<interface_function> functions{};
 
     [[nodiscard]] std::string prefix() const { return "umbrage_" + name; }
 };
@@ -51,13 +65,36 @@ struct map_parameter {
     std::string map, sampler;  ///< sampler: empty where there is none
 };
 
-/// A call of the shadow's function of all its arguments, `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
+/// A call of a function of all its arguments, `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
 template <class Member>
-[[nodiscard]] std::string interface_call(const shader_interface& i, const std::string& map, const std::string& sampler,
-                                         const Member& member) {
-    std::string call = "umbrage_shadow_" + i.name + "(" + map + (sampler.empty() ? "" : ", " + sampler);
-    for (std::size_t f = 0; f < i.fields.size(); ++f) call += ", " + member(f);
-    return call + ", world, normal" + (i.takes_pixel ? ", pixel)" : ")");
+[[nodiscard]] std::string interface_call(const shader_interface& i, const interface_function& f, const std::string& map,
+                                         const std::string& sampler, const Member& member) {
+    std::string all;
+    if (f.reads_map) all += ", " + map + (sampler.empty() ? "" : ", " + sampler);
+    for (std::size_t m = f.reads_fields ? 0 : i.fields.size() - 2; m < i.fields.size(); ++m) all += ", " + member(m);
+    for (const auto& a : f.arguments) all.append(", ").append(a.name);
+    return "umbrage_" + std::string(f.calls) + "_" + i.name + "(" + all.substr(2) + ")";
+}
+
+/// Declares its arguments: "float3 world, float3 normal".
+/// @param type   a language's word for a number of components
+template <class Type>
+[[nodiscard]] std::string parameters_of(const interface_function& f, const Type& type, bool type_last = false) {
+    std::string all;
+    for (const auto& a : f.arguments) {
+        const std::string name(a.name);
+        all += (all.empty() ? "" : ", ") + (type_last ? name + ": " + type(a.components) : type(a.components) + name);
+    }
+    return all;
+}
+
+[[nodiscard]] inline std::string name_of(const shader_interface& i, const interface_function& f) {
+    return f.name.empty() ? i.prefix() : "umbrage_" + std::string(f.name) + "_" + i.name;
+}
+
+/// HLSL's and MSL's word.
+[[nodiscard]] inline std::string float_type(int components) {
+    return components == 1 ? "float " : "float" + std::to_string(components) + " ";
 }
 
 /// A declared parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map".
@@ -67,9 +104,10 @@ template <class Member>
     return declaration.replace(at + (declaration[at] == ' ' ? 1 : 0), from.size(), to);
 }
 
-[[nodiscard]] inline std::string with_head(const shader_interface& i, const std::string& function) {
-    return "\n// " + i.prefix() + ": visibility of a point of the world, 1.0 is lit; a normal of zero is none\n" +
-           laid_out(function);
+[[nodiscard]] inline std::string with_head(const std::string& name, const interface_function& f,
+                                           const std::string& declaration, const std::string& call) {
+    return "\n// " + name + ": " + std::string(f.says) + "\n" +
+           laid_out(declaration + " {\n    return " + call + ";\n}\n");
 }
 
 [[nodiscard]] inline std::string glsl_interface(const shader_interface& i, const map_parameter& map, version v) {
@@ -101,9 +139,13 @@ template <class Member>
         if (!i.fields[f].matrix) return vector(0);
         return "mat4(" + vector(0) + ", " + vector(1) + ", " + vector(2) + ", " + vector(3) + ")";
     };
-    return out + with_head(i, high + "float " + i.prefix() + "(" + high + "vec3 world, " + high + "vec3 normal" +
-                                  (i.takes_pixel ? ", " + high + "vec2 pixel" : "") + ") {\n    return " +
-                                  interface_call(i, i.prefix() + "_map", "", member) + ";\n}\n");
+    const auto type = [&](int components) {
+        return high + (components == 1 ? "float " : "vec" + std::to_string(components) + " ");
+    };
+    for (const interface_function& f : i.functions)
+        out += with_head(name_of(i, f), f, type(f.components) + name_of(i, f) + "(" + parameters_of(f, type) + ")",
+                         interface_call(i, f, i.prefix() + "_map", "", member));
+    return out;
 }
 
 [[nodiscard]] inline std::string hlsl_interface(const shader_interface& i, const map_parameter& map, version) {
@@ -118,12 +160,12 @@ template <class Member>
     out += "};\n" + renamed(map.map, "map", i.prefix() + "_map") + slot('t', i.slots.texture) + ";\n";
     const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
     if (!sampler.empty()) out += renamed(map.sampler, "map_sampler", sampler) + slot('s', i.slots.sampler) + ";\n";
-    return out + with_head(i, "float " + i.prefix() + "(float3 world, float3 normal" +
-                                  (i.takes_pixel ? ", float2 pixel" : "") + ") {\n    return " +
-                                  interface_call(
-                                      i, i.prefix() + "_map", sampler,
-                                      [&](std::size_t f) { return i.prefix() + "_" + std::string(i.fields[f].name); }) +
-                                  ";\n}\n");
+    for (const interface_function& f : i.functions)
+        out += with_head(
+            name_of(i, f), f, float_type(f.components) + name_of(i, f) + "(" + parameters_of(f, float_type) + ")",
+            interface_call(i, f, i.prefix() + "_map", sampler,
+                           [&](std::size_t m) { return i.prefix() + "_" + std::string(i.fields[m].name); }));
+    return out;
 }
 
 [[nodiscard]] inline std::string wgsl_interface(const shader_interface& i, const map_parameter& map, version) {
@@ -138,12 +180,15 @@ template <class Member>
            renamed(map.map, "map", i.prefix() + "_map") + ";\n";
     const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
     if (!sampler.empty()) out += slot(i.slots.sampler) + " " + renamed(map.sampler, "map_sampler", sampler) + ";\n";
-    return out + with_head(i, "fn " + i.prefix() + "(world: vec3f, normal: vec3f" +
-                                  (i.takes_pixel ? ", pixel: vec2f" : "") + ") -> f32 {\n    return " +
-                                  interface_call(
-                                      i, i.prefix() + "_map", sampler,
-                                      [&](std::size_t f) { return uniforms + "." + std::string(i.fields[f].name); }) +
-                                  ";\n}\n");
+    const auto type = [](int components) {
+        return components == 1 ? std::string("f32") : "vec" + std::to_string(components) + "f";
+    };
+    for (const interface_function& f : i.functions)
+        out += with_head(name_of(i, f), f,
+                         "fn " + name_of(i, f) + "(" + parameters_of(f, type, true) + ") -> " + type(f.components),
+                         interface_call(i, f, i.prefix() + "_map", sampler,
+                                        [&](std::size_t m) { return uniforms + "." + std::string(i.fields[m].name); }));
+    return out;
 }
 
 [[nodiscard]] inline std::string msl_interface(const shader_interface& i, const map_parameter& map, version) {
@@ -151,13 +196,15 @@ template <class Member>
     std::string out = "\nstruct " + block + " {\n";
     for (const uniform_field& f : i.fields)
         out += std::string("    ") + (f.matrix ? "metal::float4x4 " : "float4 ") + std::string(f.name) + ";\n";
-    return out + "};\n" +
-           with_head(i, "inline float " + i.prefix() + "(constant " + block + "& block, " + map.map +
-                            (map.sampler.empty() ? "" : ", " + map.sampler) + ", float3 world, float3 normal" +
-                            (i.takes_pixel ? ", float2 pixel" : "") + ") {\n    return " +
-                            interface_call(i, "map", map.sampler.empty() ? "" : "map_sampler",
-                                           [&](std::size_t f) { return "block." + std::string(i.fields[f].name); }) +
-                            ";\n}\n");
+    out += "};\n";
+    const std::string map_and_sampler = map.map + (map.sampler.empty() ? "" : ", " + map.sampler) + ", ";
+    for (const interface_function& f : i.functions)
+        out += with_head(name_of(i, f), f,
+                         "inline " + float_type(f.components) + name_of(i, f) + "(constant " + block + "& block, " +
+                             (f.reads_map ? map_and_sampler : "") + parameters_of(f, float_type) + ")",
+                         interface_call(i, f, "map", map.sampler.empty() ? "" : "map_sampler",
+                                        [&](std::size_t m) { return "block." + std::string(i.fields[m].name); }));
+    return out;
 }
 
 }  // namespace detail

@@ -12,6 +12,9 @@
 //     std::string pass = source(version::v330, {bind_depth_pass(lamp, "lamp")});
 //
 // hlsl::text, wgsl::text and msl::text take the same; in Metal block, map and sampler come first.
+//
+// When a shadow is missing: bind(sun, "sun", {.debug = true}) adds umbrage_probe_sun(world, normal), colors that say why
+// (probe.hpp), and umbrage_calibrate_sun(number), which tells how the host reads its map (calibration.hpp).
 #pragma once
 
 #include <optional>
@@ -22,6 +25,8 @@
 
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/interface.hpp>
+#include <umbrage/shadow/calibration.hpp>
+#include <umbrage/shadow/probe.hpp>
 #include <umbrage/shadow/shadow.hpp>
 
 namespace umbrage::glsl {
@@ -31,33 +36,39 @@ struct shadow_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;  ///< see shader_slots
     std::optional<glsl::texture> map{};  ///< none: texture_2d for one map, atlas for several. Or depth, shadow for one;
                                          ///< array, depth_array, shadow_array for several
+    bool debug = false;                  ///< umbrage_probe_<name> and umbrage_calibrate_<name> too
 };
 
 namespace detail {
 
-/// umbrage_look and umbrage_shadow, of one shadow's map alone.
-template <class SetUp, class Filter>
-[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const map_choice& choice) {
+/// umbrage_look and umbrage_shadow, of one shadow's map alone; to debug it, more.
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding,
+                                                 const map_choice& choice, bool debug) {
     constexpr bool turns = umbrage::detail::turning<Filter>;
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
     const std::string pixel = turns ? ", UMBRAGE_HIGHP vec2 pixel" : "";
-    own_text look = umbrage::detail::look_text(filter, terms, pixel);
-
-    std::string parameters, body = SetUp::text(choice);
-    for (const uniform_field& f : SetUp::fields)
-        parameters += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
-    if (turns)
-        for (auto i = body.find("umbrage_look("); i != body.npos; i = body.find("umbrage_look(", i)) {
-            i = body.find(";\n", i) - 1;
-            body.insert(i, ", pixel");
-        }
+    std::string fields, arguments;
+    for (const uniform_field& f : SetUp::fields) {
+        fields += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
+        arguments += std::string(f.name) + ", ";
+    }
     own_text door{"shadow",
                   "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
                   "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, " +
-                      parameters + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" +
-                      body + "}\n"};
+                      fields + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" +
+                      (turns ? umbrage::detail::with_argument(SetUp::text(choice), "pixel") : SetUp::text(choice)) +
+                      "}\n"};
     door.needs.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
-    return {std::move(look), std::move(door)};
+    std::vector<own_text> all{umbrage::detail::look_text(filter, terms, pixel), std::move(door)};
+    if (!debug) return all;
+    for (own_text& text : umbrage::detail::probe_texts<SetUp, Filter>(terms, fields, arguments))
+        all.push_back(std::move(text));
+    const bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
+    for (own_text& text : umbrage::detail::calibration_texts<SetUp, Filter>(
+             encoding, terms, turns ? ", vec2(0.5, 0.5)" : "", several ? choice.first("number") : std::string()))
+        all.push_back(std::move(text));
+    return all;
 }
 
 /// How many channels a texel has.
@@ -134,13 +145,30 @@ template <class SetUp, class Filter, class Encoding>
     if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
-    item.texts = detail::shadow_texts<SetUp>(of.filter(), layers ? map_choice{} : SetUp::tiles);
+    item.texts =
+        detail::shadow_texts<SetUp>(of.filter(), of.encoding(), layers ? map_choice{} : SetUp::tiles, slots.debug);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
-    shader_interface declared{std::string(name),
-                              {},
-                              {slots.block, slots.texture, slots.sampler, slots.set},
-                              umbrage::detail::turning<Filter>};
+    shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};
+    declared.functions = {{.calls = "shadow",
+                           .says = "visibility of a point of the world, 1.0 is lit; a normal of zero is none",
+                           .arguments = {{"world"}, {"normal"}}}};
+    if (umbrage::detail::turning<Filter>) declared.functions[0].arguments.push_back({"pixel", 2});
+    if (slots.debug) {
+        declared.functions.push_back({.name = "probe",
+                                      .calls = "point_color",
+                                      .says = "debug color of a point of the world, as umbrage_probe_color says",
+                                      .components = 3,
+                                      .reads_map = false,
+                                      .arguments = {{"world"}, {"normal"}}});
+        declared.functions.push_back(
+            {.name = "calibrate",
+             .calls = "reading",
+             .says = "what a calibration map is read as: 0.0 right, 1.0 empty, 2.0 dark, 3.0 upside down,\n"
+                     "//   4.0 another map, 5.0 compared the wrong way round, 6.0 too coarse, 7.0 other depths",
+             .reads_fields = false,
+             .arguments = {{"number", 1}}});
+    }
     for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);

@@ -164,14 +164,25 @@ template <prefilter Prefilter>
     else return "";
 }
 
-/// bias_of and look in GLSL: umbrage_look, for a filter's map alone.
-/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters that turn
+/// bias_of in GLSL, as what computes it,
 template <class Filter>
-[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
-    const glsl::snippet& bias = disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+[[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
+    return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+}
+/// and as a statement of `slope` and `terms`.
+template <class Filter>
+[[nodiscard]] std::string bias_text() {
     const std::string_view reach = contact_hardening<Filter> ? "0.5"
                                    : disc_filter<Filter>     ? "filter_terms.y"
                                                              : "terms.z";
+    std::string text = "    UMBRAGE_HIGHP float bias = umbrage_";
+    return text.append(bias_snippet<Filter>().name).append("(slope, ").append(reach).append(", terms.w);\n");
+}
+
+/// look in GLSL: umbrage_look, for a filter's map alone.
+/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters that turn
+template <class Filter>
+[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
     std::string text =
         "\n// umbrage_look: visibility of a receiver in one map\n"
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
@@ -180,13 +191,22 @@ template <class Filter>
         text +=
             "    UMBRAGE_HIGHP vec2 receiver_slope = slope;\n"
             "    UMBRAGE_HIGHP vec2 receiver_coord = vec2(at.x, at.y);\n";
-    text.append("    UMBRAGE_HIGHP float bias = umbrage_").append(bias.name).append("(slope, ").append(reach);
-    text.append(", terms.w);\n    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
+    text.append(bias_text<Filter>());
+    text.append("    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
     text.append(filter.snippet->name).append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver");
     text.append(arguments_of<Filter>()).append(");\n}\n");
-    glsl::own_text look{"look", std::move(text), {&bias, &glsl::biased, filter.snippet}};
+    glsl::own_text look{"look", std::move(text), {&bias_snippet<Filter>(), &glsl::biased, filter.snippet}};
     if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
     return look;
+}
+
+/// A set-up's text whose look-ups take one more argument.
+[[nodiscard]] inline std::string with_argument(std::string text, std::string_view argument) {
+    for (auto i = text.find("umbrage_look("); i != text.npos; i = text.find("umbrage_look(", i)) {
+        i = text.find(";\n", i) - 1;
+        text.insert(i, std::string(", ").append(argument));
+    }
+    return text;
 }
 
 /// The filter's map in a shader.

@@ -101,6 +101,24 @@ TEST_CASE("in_shader: a depth pass writes the map's texels, packed or moments, i
           }).starts_with("umbrage::glsl::bind_depth_pass: name must be letters"));
 }
 
+TEST_CASE("in_shader: functions to debug a shadow, in each language") {
+    const auto item = bind(sun_in_shader, "sun", {.map = glsl::texture::array, .debug = true});
+    const std::string gl = glsl::text({item}, version::v330), w = wgsl::text({item});
+    CHECK(has(gl, "vec3 umbrage_probe_sun(vec3 world, vec3 normal) {"));
+    CHECK(has(gl, "float umbrage_calibrate_sun(float number) {"));
+    CHECK(has(glsl::text({bind(lamp_in_shader, "lamp", {.debug = true})}, version::v100),
+              "highp float umbrage_calibrate_lamp(highp float number) {"));
+    CHECK(has(w, "fn umbrage_probe_sun(world: vec3f, normal: vec3f) -> vec3f {"));
+    CHECK(has(w, "fn umbrage_calibrate_sun(number: f32) -> f32 {"));
+    CHECK(has(hlsl::text({item}), "float3 umbrage_probe_sun(float3 world, float3 normal) {"));
+    CHECK(has(msl::text({item}), "inline float3 umbrage_probe_sun(constant umbrage_sun_block& block, float3 world"));
+    CHECK(has(msl::text({item}), "umbrage_calibrate_sun(constant umbrage_sun_block& block, metal::texture2d_array"));
+    CHECK(!has(glsl::text({bind(sun_in_shader, "sun")}, version::v330), "probe"));
+    CHECK(refusal([&] {
+              (void)glsl::text({item, bind(lamp_in_shader, "probe_sun")}, version::v330);
+          }).starts_with("umbrage::glsl::text: name must be another than a snippet's or shadow's"));
+}
+
 TEST_CASE("in_shader: several shadows in one text, each under its name") {
     const std::string both = wgsl::text({bind(lamp_in_shader, "lamp"), bind(sun_in_shader, "sun", {.block = 2})});
     CHECK(has(both, "fn umbrage_lamp("));

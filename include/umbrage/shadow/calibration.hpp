@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+//
+// Tells whether a host reads a shadow's map as it should: load a map of known depths, ask, and get one answer.
+//
+//     auto known = umbrage::calibration_map(sun);                      // upload it in place of the drawn map
+//     umbrage::map_reading says = umbrage::calibrate(sun, known, 0);   // on the CPU: map_reading::right
+//     std::puts(umbrage::explain(says));
+//
+// In a shader, umbrage_calibrate_sun(0.0) gives the same number, of bind(sun, "sun", {.debug = true}): in_shader.hpp.
+// Of a map that was just cleared it has to say map_reading::empty.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/image.hpp>
+#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/shadow.hpp>
+
+namespace umbrage {
+
+/// What a map of known depths is read as.
+enum class map_reading { right, empty, dark, upside_down, another_map, reversed, coarse, wrong };
+
+/// The reading in a sentence, with what to check.
+[[nodiscard]] constexpr const char* explain(map_reading reading) {
+    switch (reading) {
+        case map_reading::right: return "The map is read right.";
+        case map_reading::empty: return "Every depth is lit: the map is cleared, or another texture is bound.";
+        case map_reading::dark:
+            return "No depth is lit: the map was cleared to the near plane, or holds no numbers, or is not bound.";
+        case map_reading::upside_down:
+            return "The map is upside down: check the clip space's origin, or which row an upload begins with.";
+        case map_reading::another_map: return "Another map of the light is read: check the order of layers or tiles.";
+        case map_reading::reversed:
+            return "Depths compare the wrong way round: check the sampler's comparison, or the clip space's direction.";
+        case map_reading::coarse:
+            return "Depths have too few bits: check the texture's format, and that all channels are read.";
+        default:
+            return "Other depths are read: check sRGB, filtering of packed texels, the order of channels, the map's "
+                   "size and the encoding.";
+    }
+}
+
+namespace detail {
+
+/// Distance from the near plane, 0 to 1, of the k-th of 32 known depths: four of each map, of which eight repeat.
+[[nodiscard]] constexpr float known_distance(float k) { return (k + 1.0f) * (1.0f / 34.0f); }
+
+/// Half of what lies between two known depths, with room for rounding.
+inline constexpr float coarse_tolerance = 1.0f / 72.0f;
+
+/// By how much a reading may be off, a power of two: its encoding's error, rounding and bias.
+/// Prefilters see a step of depth as a ramp, so that they tell levels apart and no more.
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] float calibration_tolerance(const Encoding& encoding) {
+    if constexpr (prefilter<Filter>) return coarse_tolerance;
+    else {
+        const decoding_error both = encoding.error();
+        float tolerance = 0x1p-18f;
+        while (double(tolerance) < 2.0 * (both.below + both.above + bends_of<SetUp>().error) + 0x1p-19)
+            tolerance *= 2.0f;
+        return tolerance < coarse_tolerance ? tolerance : coarse_tolerance;
+    }
+}
+
+}  // namespace detail
+
+/// A map with known depths: four blocks, another four in each of the light's maps.
+///
+/// @return   of the shadow's size(), as its encoding stores them; the first row is the first in memory
+/// @throws std::invalid_argument   maps smaller than four times the filter's reach
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<SetUp, Filter, Encoding>& of) {
+    const glm::ivec2 map_size = of.map_size(), size = of.size();
+    const float reach = detail::reach_of(of.filter());
+    detail::require(4.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "calibration_map",
+                    "of.map_size()", "four times the filter's reach or more", map_size);
+    image<float> depths(size);
+    for (glm::ivec2 p(0); p.y < size.y; ++p.y)
+        for (p.x = 0; p.x < size.x; ++p.x) {
+            const glm::ivec2 tile = p / map_size, in_map = p % map_size;
+            const int number = (tile.x + tile.y * SetUp::grid.columns) % 8;
+            const int block = (2 * in_map.x >= map_size.x ? 1 : 0) + (2 * in_map.y >= map_size.y ? 2 : 0);
+            const float distance = detail::known_distance(static_cast<float>(8 * block + number));
+            depths[p] = of.encoding().direction == depth_direction::forward ? distance : 1.0f - distance;
+        }
+    image<typename Encoding::texel> map(size, of.cleared());
+    of.store(depths, map);
+    return map;
+}
+
+/// Reads a map of known depths through the shadow's own filter.
+///
+/// @param map      calibration_map(of), as the host has it; or one that was just cleared
+/// @param number   of the light's map, >= 0
+/// @return         map_reading::right when every block is read as it was stored, map_reading::empty of a cleared map
+/// @throws std::invalid_argument   map of another size, a number that the light lacks
+/// @exactness      the reading is the shader's wherever the filter's visibilities are on the same side of 1/2
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] map_reading calibrate(const shadow<SetUp, Filter, Encoding>& of,
+                                    image_view<const typename Encoding::texel> map, int number) {
+    detail::require_size(map.size, of.size(), "calibrate", "map.size", "the shadow's size()");
+    detail::require(number >= 0 && number < SetUp::grid.columns * SetUp::grid.rows, "calibrate", "number",
+                    "one of the light's maps", number);
+    const shadow_terms terms = of.uniforms().terms;
+    const auto own = map.region(detail::first_texel(number, SetUp::grid, of.map_size()), of.map_size());
+    const comparison is_lit{of.encoding().direction};
+    const float bias = detail::bias_of<Filter>(terms, glm::vec2(0));
+    const auto lit_at = [&](glm::vec2 coord, float distance) {
+        const float depth = is_lit.direction == depth_direction::forward ? distance : 1.0f - distance;
+        return detail::look<SetUp::outside>(own, of.filter(), of.encoding(),
+                                            glm::vec3(coord, biased(depth, bias, is_lit)), glm::vec2(0), {}) > 0.5f;
+    };
+    const float tolerance = detail::calibration_tolerance<SetUp, Filter>(of.encoding());
+    const float map_number = static_cast<float>(number % 8);
+    int right = 0, nearly = 0, lit = 0, dark = 0, turned = 0, flipped = 0, others = 0;
+    for (int block = 0; block < 4; ++block) {
+        const float row = block < 2 ? 0.0f : 1.0f, column = float(block) - 2.0f * row;
+        const glm::vec2 coord = terms.map_size * glm::vec2(0.25f + 0.5f * column, 0.25f + 0.5f * row);
+        float found = 0.0f, step = 0.5f;
+        for (int i = 0; i < 20; ++i, step *= 0.5f) found = lit_at(coord, found + step) ? found + step : found;
+        const auto is = [&](float of_block, float of_map, float within) {
+            return std::abs(found - detail::known_distance(8.0f * of_block + of_map)) <= within;
+        };
+        right += is(float(block), map_number, tolerance);
+        nearly += is(float(block), map_number, detail::coarse_tolerance);
+        lit += found > 0.9999f;
+        dark += found < 0.0001f;
+        turned += !lit_at(coord, 0.0f) && lit_at(coord, 1.0f);
+        flipped += is(column + 2.0f - 2.0f * row, map_number, detail::coarse_tolerance);
+        for (int other = 0; other < 8; ++other) others += is(float(block), float(other), detail::coarse_tolerance);
+    }
+    return right == 4     ? map_reading::right
+           : turned == 4  ? map_reading::reversed
+           : lit == 4     ? map_reading::empty
+           : dark == 4    ? map_reading::dark
+           : nearly == 4  ? map_reading::coarse
+           : flipped == 4 ? map_reading::upside_down
+           : others == 4  ? map_reading::another_map
+                          : map_reading::wrong;
+}
+
+namespace detail {
+
+/// calibrate in GLSL: umbrage_reading, behind what it calls.
+/// @param terms    declarations of shadow_terms
+/// @param pixel    ", vec2(0.5, 0.5)" for filters that turn
+/// @param choice   the statement that chooses the map of `number`; empty for one map
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] std::array<glsl::own_text, 2> calibration_texts(const Encoding& encoding, const std::string& terms,
+                                                              const std::string& pixel, const std::string& choice) {
+    const int parts = static_cast<int>(1.0f / calibration_tolerance<SetUp, Filter>(encoding) + 0.5f);
+    return {{{"lit_at",
+              "\n// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
+              "UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, " +
+                  terms +
+                  "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
+                  "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
+                  "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
+                  "    return umbrage_look(map, terms, filter_terms, at, vec2(0.0, 0.0)" +
+                  pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
+              {&glsl::cleared_depth}},
+             {"reading",
+              "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
+              "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
+                  terms + "UMBRAGE_HIGHP float number) {\n" + choice + "    UMBRAGE_HIGHP float tolerance = 1.0 / " +
+                  std::to_string(parts) + R"GLSL(.0;
+    UMBRAGE_HIGHP float coarse = 1.0 / 72.0;
+    UMBRAGE_HIGHP float own = number - 8.0 * floor(number * 0.125) + 1.0;
+    UMBRAGE_HIGHP vec4 met = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec3 seen = vec3(0.0, 0.0, 0.0);
+    for (int block = 0; block < 4; ++block) {
+        UMBRAGE_HIGHP float row = block < 2 ? 0.0 : 1.0;
+        UMBRAGE_HIGHP float column = float(block) - 2.0 * row;
+        UMBRAGE_HIGHP vec2 coord = vec2(terms.x * (0.25 + 0.5 * column), terms.y * (0.25 + 0.5 * row));
+        UMBRAGE_HIGHP float found = 0.0;
+        UMBRAGE_HIGHP float step_size = 0.5;
+        for (int i = 0; i < 20; ++i) {
+            found += umbrage_lit_at(map, terms, filter_terms, coord, found + step_size) * step_size;
+            step_size *= 0.5;
+        }
+        UMBRAGE_HIGHP float first = 8.0 * float(block);
+        UMBRAGE_HIGHP float turned = 8.0 * (column + 2.0 - 2.0 * row);
+        UMBRAGE_HIGHP float here = abs(found - (first + own) * (1.0 / 34.0));
+        UMBRAGE_HIGHP float there = abs(found - (turned + own) * (1.0 / 34.0));
+        UMBRAGE_HIGHP float nearest = clamp(floor(found * 34.0 + 0.5), first + 1.0, first + 8.0);
+        UMBRAGE_HIGHP float other = abs(found - nearest * (1.0 / 34.0));
+        met += vec4(here <= tolerance ? 1.0 : 0.0, here <= coarse ? 1.0 : 0.0, there <= coarse ? 1.0 : 0.0,
+                    other <= coarse ? 1.0 : 0.0);
+        UMBRAGE_HIGHP float front = umbrage_lit_at(map, terms, filter_terms, coord, 0.0);
+        UMBRAGE_HIGHP float back = umbrage_lit_at(map, terms, filter_terms, coord, 1.0);
+        seen += vec3(found > 0.9999 ? 1.0 : 0.0, found < 0.0001 ? 1.0 : 0.0, (1.0 - front) * back);
+    }
+    UMBRAGE_HIGHP float reading = 7.0;
+    reading = met.w > 3.5 ? 4.0 : reading;
+    reading = met.z > 3.5 ? 3.0 : reading;
+    reading = met.y > 3.5 ? 6.0 : reading;
+    reading = seen.y > 3.5 ? 2.0 : reading;
+    reading = seen.x > 3.5 ? 1.0 : reading;
+    reading = seen.z > 3.5 ? 5.0 : reading;
+    return met.x > 3.5 ? 0.0 : reading;
+}
+)GLSL"}}};
+}
+
+}  // namespace detail
+}  // namespace umbrage
