@@ -21,7 +21,7 @@ build_packages := cmake g++ libglm-dev ninja-build pkg-config
 demo_packages := $(build_packages) libassimp-dev libboost-dev libcli11-dev libdeflate-dev libstb-dev
 gallery_packages := $(demo_packages) libegl-dev libepoxy-dev libgl1-mesa-dri libglfw3-dev # the latter for OpenGL
 node_packages := $(if $(shell command -v npm),,nodejs npm) # npm from wherever it is
-test_packages := $(demo_packages) clang-14 clang-format-14 libc++-13-dev libc++abi-13-dev doctest-dev glslang-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
+test_packages := $(demo_packages) clang-14 clang-format-14 libc++-13-dev libc++abi-13-dev doctest-dev glslang-dev glslang-tools spirv-cross libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
     libvulkan-dev mesa-vulkan-drivers \
     libepoxy-dev libglfw3-dev xauth xvfb \
     g++-aarch64-linux-gnu qemu-user \

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Compiles what write_bindings has written into FOLDER: GLSL and HLSL by GLSLANG, Metal as C++ by CLANG, which METAL lends
-# its standard library. accept_wgsl.js is for WGSL.
+# Compiles what write_bindings or shadows_write_texts has written into FOLDER: GLSL and HLSL by GLSLANG, Metal as C++ by
+# CLANG, which METAL lends its standard library. accept_wgsl.js is for WGSL.
 function(compile name)
     execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE log ERROR_VARIABLE log)
     if(NOT status EQUAL 0)
@@ -29,6 +29,6 @@ if(CLANG)
     string(REPLACE "value.xyzw" "value" text "${text}")
     string(REPLACE "value.xy" "float2(value.x, value.y)" text "${text}")
     file(WRITE ${FOLDER}/all.cpp "${text}")
-    compile(all.metal ${CLANG} -std=c++20 -fsyntax-only -w -cl-single-precision-constant -I${METAL}/metal -I${METAL}
-            ${FOLDER}/all.cpp)
+    compile(all.metal ${CLANG} -std=c++20 -fsyntax-only -w -Dconstant=const -cl-single-precision-constant
+            -I${METAL}/metal -I${METAL} ${FOLDER}/all.cpp)
 endif()

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+//
+// Texts of shadows, for compilers and for what they say of the blocks:  shadows_write_texts FOLDER
+//
+// FOLDER/all.EXTENSION and FOLDER/glsl, which tests/package/compile.cmake takes, hold shadows of every set-up and what
+// debugs them. FOLDER/blocks/NAME.* is one shadow; NAME.offsets has a line for each member of its block in C++, "name
+// offset components", and NAME.compute.wgsl copies the block's floats in that order.
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <umbrage/umbrage.hpp>
+
+#include "../unit/shadow/scene.hpp"
+
+namespace {
+
+using namespace umbrage;
+using glsl::bind;
+using glsl::bound;
+using glsl::version;
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, const std::string& text) {
+    fs::create_directories(path.parent_path());
+    std::ofstream file(path, std::ios::binary);
+    if (!(file << text)) throw std::runtime_error("cannot write " + path.string());
+}
+
+/// A member of a block, where C++ has it.
+struct member {
+    std::string name;
+    std::size_t offset, components;
+};
+#define MEMBER(block, name) \
+    member { #name, offsetof(block, name), sizeof(block::name) / sizeof(float) }
+
+/// Those of a shadow's block.
+template <class SetUp>
+std::vector<member> block_of(std::vector<member> all) {
+    using block = shadow_uniforms<SetUp>;
+    for (member& m : all) m.offset += offsetof(block, maps);
+    const std::size_t terms = offsetof(block, terms);
+    all.push_back({"terms", terms + offsetof(shadow_terms, map_size), 4});
+    all.push_back({"filter_terms", terms + offsetof(shadow_terms, filter_terms), 4});
+    return all;
+}
+
+/// One shadow's shaders.
+void write_block(const fs::path& folder, const bound& item, const std::vector<member>& members) {
+    const std::string name = item.declared->name, block = "umbrage_" + name + "_uniforms";
+    const bool turns = item.declared->functions[0].arguments.size() > 2;
+    const fs::path path = folder / "blocks" / name;
+    const std::string call = "umbrage_" + name + "(w, w" + (turns ? ", p.xy)" : ")");
+    write(path.string() + ".frag", glsl::source(version::vulkan, {item}) +
+                                       "layout(location = 0) in vec3 w;\nlayout(location = 0) out vec4 c;\n"
+                                       "void main() { vec4 p = gl_FragCoord; c = vec4(" +
+                                       call + "); }\n");
+    write(path.string() + ".hlsl", hlsl::text({item}) +
+                                       "float4 main(float3 w : TEXCOORD0, float4 p : SV_Position) : SV_Target { return "
+                                       "(float4)" +
+                                       call + "; }\n");
+    write(path.string() + ".metal", msl::text({item}));
+    std::string offsets, copies;
+    std::size_t count = 0;
+    for (const member& m : members) {
+        offsets += m.name + " " + std::to_string(m.offset) + " " + std::to_string(m.components) + "\n";
+        for (std::size_t c = 0; c < m.components; ++c)
+            copies += "    copied[" + std::to_string(count++) + "] = " + block + "." + m.name +
+                      (m.components == 16 ? "[" + std::to_string(c / 4) + "]" : "") + "[" + std::to_string(c % 4) +
+                      "];\n";
+    }
+    write(path.string() + ".offsets", offsets);
+    write(path.string() + ".compute.wgsl",
+          wgsl::text({item}) + "\n@group(1) @binding(0) var<storage, read_write> copied: array<f32>;\n" +
+              "@compute @workgroup_size(1) fn copy() {\n" + copies + "}\n");
+}
+
+void write_blocks(const fs::path& folder, clip_space clip) {
+    const filters::hard filter;
+    const shadow spot(shadow_scene::spot(clip), {256, 128}, filter);
+    const shadow sun(shadow_scene::cascades(clip), {256, 256}, filters::tent<3>);
+    const shadow eight(shadow_scene::cascades<7>(clip), {128, 128}, filters::disc{});
+    const shadow bulb(shadow_scene::bulb(clip), {256, 256}, filter);
+    const shadow sides(shadow_scene::tetrahedron(clip), {512, 512}, filter);
+    const shadow halves(shadow_scene::paraboloids(clip), {512, 512}, filter);
+    using single = single_map::uniforms;
+    write_block(folder, bind(spot, "spot"), block_of<single_map>({MEMBER(single, to_texels), MEMBER(single, planes)}));
+    using four = cascaded_maps<1>::uniforms;
+    write_block(folder, bind(sun, "sun"),
+                block_of<cascaded_maps<1>>(
+                    {MEMBER(four, rotation), MEMBER(four, scales), MEMBER(four, offsets), MEMBER(four, blending)}));
+    using both = cascaded_maps<2>::uniforms;
+    write_block(folder, bind(eight, "eight"),
+                block_of<cascaded_maps<2>>({MEMBER(both, rotation), MEMBER(both, scales), MEMBER(both, offsets),
+                                            MEMBER(both, farther_scales), MEMBER(both, farther_offsets),
+                                            MEMBER(both, blending)}));
+    using cube = cube_maps::uniforms;
+    write_block(folder, bind(bulb, "bulb"),
+                block_of<cube_maps>({MEMBER(cube, position), MEMBER(cube, to_texels), MEMBER(cube, planes)}));
+    using tetrahedron = tetrahedron_map::uniforms;
+    write_block(folder, bind(sides, "sides"),
+                block_of<tetrahedron_map>(
+                    {MEMBER(tetrahedron, position), MEMBER(tetrahedron, to_texels), MEMBER(tetrahedron, planes)}));
+    using paraboloids = paraboloid_maps::uniforms;
+    write_block(folder, bind(halves, "halves"),
+                block_of<paraboloid_maps>({MEMBER(paraboloids, position), MEMBER(paraboloids, halves)}));
+}
+
+/// Shadows of every set-up and kind of filter, with what debugs them, in one text a language.
+void write_all(const fs::path& folder, clip_space clip) {
+    clip_space reversed = clip;
+    reversed.direction = depth_direction::reversed;
+    int next = 0;
+    std::vector<bound> plain, with_arrays;
+    const auto add = [&](std::vector<bound>& all, const auto& s, const std::string& name,
+                         glsl::shadow_slots slots = {}) {
+        slots.block = next++, slots.texture = next++, slots.sampler = next++, slots.debug = true;
+        all.push_back(bind(s, name, slots));
+    };
+    const auto add_spot = [&](const auto& filter, const auto&... encoding) {
+        add(plain, shadow(shadow_scene::spot(reversed), {256, 128}, filter, encoding...),
+            "spot" + std::to_string(next));
+    };
+    add_spot(filters::tent<3>, rg<11>{});
+    add_spot(filters::pcss{});
+    add_spot(filters::dpcf{});
+    add_spot(prefilters::vsm{});
+    add_spot(prefilters::esm{});
+    add_spot(prefilters::evsm2{});
+    add_spot(prefilters::evsm4{});
+    add_spot(prefilters::msm{});
+    const shadow lamp(shadow_scene::fitted(clip), {200, 300}, filters::box{.radius = 1});
+    const shadow sun(shadow_scene::cascades(clip), {256, 256}, filters::disc{});
+    add(with_arrays, lamp, "lamp", {.map = glsl::texture::shadow});
+    add(with_arrays, sun, "sun", {.map = glsl::texture::depth_array});
+    add(with_arrays, shadow(shadow_scene::cascades<7>(clip), {128, 128}, filters::pcf_2x2{}), "eight",
+        {.map = glsl::texture::shadow_array});
+    add(plain, sun, "atlas");
+    add(plain, shadow(shadow_scene::bulb(clip), {256, 256}, filters::hard{}), "bulb");
+    add(plain, shadow(shadow_scene::tetrahedron(clip), {512, 512}, filters::hard{}), "sides");
+    add(plain, shadow(shadow_scene::paraboloids(clip), {512, 512}, filters::hard{}), "halves");
+    std::vector<bound> all = plain;
+    all.insert(all.end(), with_arrays.begin(), with_arrays.end());
+    write(folder / "all.hlsl", hlsl::text(all) + "float4 main() : SV_Target { return (float4)0; }\n");
+    write(folder / "all.metal", msl::text(all));
+    write(folder / "all.wgsl", wgsl::text(all));
+    for (const version v : glsl::versions) {
+        const std::string name = v == version::vulkan ? "vulkan" : std::string(directive(v));
+        const bool old = v < version::v300_es;
+        write(folder / "glsl" / (name + ".frag"), glsl::source(v, old ? plain : all) + "void main() {}\n");
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc != 2) throw std::invalid_argument("one argument");
+    write_blocks(argv[1], vulkan_clip_space);
+    write_all(argv[1], vulkan_clip_space);
+} catch (const std::exception& error) {
+    std::cerr << "shadows_write_texts: " << error.what() << '\n';
+    return 2;
+}
