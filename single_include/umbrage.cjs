@@ -3761,6 +3761,44 @@ UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIG
     return coord >= 0.0 && coord < size ? texel : -1.0;
 }
 `,
+            "probe_color": `
+// umbrage_probe_color: what a receiver's place in a map says, as a color
+//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
+//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
+//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
+                                       UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    bool usable = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;
+    bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    bool forward = umbrage_cleared_depth() > 0.5;
+    bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
+    bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
+    UMBRAGE_HIGHP float square = floor(at.x) + floor(at.y);
+    UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
+    UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    bits = bits - 2.0 * floor(bits * 0.5);
+    UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
+    color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);
+    color = past_near ? vec3(0.0, 0.0, 1.0) : color;
+    color = past_far ? vec3(0.0, 1.0, 1.0) : color;
+    color = inside ? color : vec3(1.0, 1.0, 1.0);
+    color = at.x < 65536.0 ? color : vec3(0.0, 0.0, 0.0);
+    return usable ? color : vec3(1.0, 0.0, 1.0);
+}
+`,
+            "probe_inputs": `
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
+                                        UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    bool usable = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
+    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec3 given = zero ? vec3(1.0, 1.0, 0.0) : color;
+    return usable ? given : vec3(1.0, 0.0, 1.0);
+}
+`,
             "hooks/cleared_depth, reversed": `
 // umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
@@ -7172,6 +7210,42 @@ float umbrage_overlay_texel(float coord, float size, float map_size, float texel
     float texel = floor(coord * texels_per_pixel - 0.5);
     texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
     return coord >= 0.0 && coord < size ? texel : -1.0;
+}
+`,
+            "probe_color": `
+// umbrage_probe_color: what a receiver's place in a map says, as a color
+//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
+//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
+//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+float3 umbrage_probe_color(float3 at, float2 size, float bias, float number) {
+    float limit = 18446744073709551616.0;
+    bool usable = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;
+    bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    bool forward = umbrage_cleared_depth() > 0.5;
+    bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
+    bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
+    float square = floor(at.x) + floor(at.y);
+    float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
+    float3 bits = floor(float3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    bits = bits - 2.0 * floor(bits * 0.5);
+    float3 color = (bits * 0.5 + 0.375) * shade;
+    color = bias < 1.0 ? color : float3(1.0, 0.0, 0.0);
+    color = past_near ? float3(0.0, 0.0, 1.0) : color;
+    color = past_far ? float3(0.0, 1.0, 1.0) : color;
+    color = inside ? color : float3(1.0, 1.0, 1.0);
+    color = at.x < 65536.0 ? color : float3(0.0, 0.0, 0.0);
+    return usable ? color : float3(1.0, 0.0, 1.0);
+}
+`,
+            "probe_inputs": `
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+float3 umbrage_probe_inputs(float3 color, float3 world, float3 normal) {
+    float limit = 18446744073709551616.0;
+    bool usable = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
+    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    float3 given = zero ? float3(1.0, 1.0, 0.0) : color;
+    return usable ? given : float3(1.0, 0.0, 1.0);
 }
 `,
             "hooks/cleared_depth, reversed": `
@@ -10590,6 +10664,42 @@ inline float umbrage_overlay_texel(float coord, float size, float map_size, floa
     return coord >= 0.0 && coord < size ? texel : -1.0;
 }
 `,
+            "probe_color": `
+// umbrage_probe_color: what a receiver's place in a map says, as a color
+//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
+//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
+//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+inline float3 umbrage_probe_color(float3 at, float2 size, float bias, float number) {
+    float limit = 18446744073709551616.0;
+    bool usable = metal::abs(at.x) < limit && metal::abs(at.y) < limit && metal::abs(at.z) < limit;
+    bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    bool forward = umbrage_cleared_depth() > 0.5;
+    bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
+    bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
+    float square = metal::floor(at.x) + metal::floor(at.y);
+    float shade = square - 2.0 * metal::floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
+    float3 bits = metal::floor(float3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    bits = bits - 2.0 * metal::floor(bits * 0.5);
+    float3 color = (bits * 0.5 + 0.375) * shade;
+    color = bias < 1.0 ? color : float3(1.0, 0.0, 0.0);
+    color = past_near ? float3(0.0, 0.0, 1.0) : color;
+    color = past_far ? float3(0.0, 1.0, 1.0) : color;
+    color = inside ? color : float3(1.0, 1.0, 1.0);
+    color = at.x < 65536.0 ? color : float3(0.0, 0.0, 0.0);
+    return usable ? color : float3(1.0, 0.0, 1.0);
+}
+`,
+            "probe_inputs": `
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+inline float3 umbrage_probe_inputs(float3 color, float3 world, float3 normal) {
+    float limit = 18446744073709551616.0;
+    bool usable = metal::abs(world.x) < limit && metal::abs(world.y) < limit && metal::abs(world.z) < limit;
+    usable = usable && metal::abs(normal.x) < limit && metal::abs(normal.y) < limit && metal::abs(normal.z) < limit;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    float3 given = zero ? float3(1.0, 1.0, 0.0) : color;
+    return usable ? given : float3(1.0, 0.0, 1.0);
+}
+`,
             "hooks/cleared_depth, reversed": `
 // umbrage_cleared_depth: depth of the far plane
 inline float umbrage_cleared_depth() {
@@ -13991,6 +14101,42 @@ fn umbrage_overlay_texel(coord: f32, size: f32, map_size: f32, texels_per_pixel:
     return select(-1.0, texel, coord >= 0.0 && coord < size);
 }
 `,
+            "probe_color": `
+// umbrage_probe_color: what a receiver's place in a map says, as a color
+//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
+//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
+//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+fn umbrage_probe_color(at: vec3f, size: vec2f, bias: f32, number: f32) -> vec3f {
+    let limit: f32 = 18446744073709551616.0;
+    let usable: bool = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;
+    let inside: bool = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    let forward: bool = umbrage_cleared_depth() > 0.5;
+    let past_far: bool = select((at.z < 0.0), (at.z > 1.0), forward);
+    let past_near: bool = select((at.z > 1.0), (at.z < 0.0), forward);
+    let square: f32 = floor(at.x) + floor(at.y);
+    let shade: f32 = select(1.0, 0.75, square - 2.0 * floor(square * 0.5) > 0.5);
+    var bits: vec3f = floor(vec3f(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    bits = bits - 2.0 * floor(bits * 0.5);
+    var color: vec3f = (bits * 0.5 + 0.375) * shade;
+    color = select(vec3f(1.0, 0.0, 0.0), color, bias < 1.0);
+    color = select(color, vec3f(0.0, 0.0, 1.0), past_near);
+    color = select(color, vec3f(0.0, 1.0, 1.0), past_far);
+    color = select(vec3f(1.0, 1.0, 1.0), color, inside);
+    color = select(vec3f(0.0, 0.0, 0.0), color, at.x < 65536.0);
+    return select(vec3f(1.0, 0.0, 1.0), color, usable);
+}
+`,
+            "probe_inputs": `
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+fn umbrage_probe_inputs(color: vec3f, world: vec3f, normal: vec3f) -> vec3f {
+    let limit: f32 = 18446744073709551616.0;
+    var usable: bool = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
+    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    let zero: bool = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    let given: vec3f = select(color, vec3f(1.0, 1.0, 0.0), zero);
+    return select(vec3f(1.0, 0.0, 1.0), given, usable);
+}
+`,
             "hooks/cleared_depth, reversed": `
 // umbrage_cleared_depth: depth of the far plane
 fn umbrage_cleared_depth() -> f32 {
@@ -14491,6 +14637,8 @@ const rows = [
     ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 5, 0, false, "100", "none", false, []],
     ["false_color", "false_color", "0..1 to blue, green, red", "b", 3, 0, false, "100", "none", false, ["saturate"]],
     ["overlay_texel", "overlay_texel", "which texel of a map stretched over the picture's corner a pixel shows, along one side", "a", 0, 0, false, "100", "none", false, []],
+    ["probe_color", "probe_color", "debug color of a place in a map: its texels, or why it cannot be shadowed", "a", 0, 0, false, "100", "none", false, ["cleared_depth"]],
+    ["probe_inputs", "probe_inputs", "debug color, unless position or normal are wrong", "a", 0, 0, false, "100", "none", false, []],
     ["hooks/cleared_depth, reversed", "cleared_depth", "cleared_depth, reversed", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/map_covers, clamped", "map_covers", "map_covers, clamped", "a", 0, 0, false, "100", "chosen", false, []],
     ["hooks/beyond_far_plane, reversed", "beyond_far_plane", "beyond_far_plane, reversed", "a", 0, 0, false, "100", "chosen", false, []],
@@ -14611,6 +14759,6 @@ const glsl = in_language('glsl');
 const hlsl = in_language('hlsl');
 const msl = in_language('msl');
 const wgsl = in_language('wgsl');
-const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_column_8, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_by_projection_8, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_face_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_face_point, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_turned, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, receiver_slope, cascade_slope, slope_bias, dual_paraboloid_slope, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel } = snippets;
+const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_column_8, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_by_projection_8, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_face_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_face_point, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_turned, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, receiver_slope, cascade_slope, slope_bias, dual_paraboloid_slope, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel, probe_color, probe_inputs } = snippets;
 
-module.exports = { bind, exactness, supports, text, source, versions, snippets, encodings, glsl, hlsl, msl, wgsl, shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_column_8, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_by_projection_8, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_face_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_face_point, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_turned, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, receiver_slope, cascade_slope, slope_bias, dual_paraboloid_slope, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel };
+module.exports = { bind, exactness, supports, text, source, versions, snippets, encodings, glsl, hlsl, msl, wgsl, shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_column_8, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_by_projection_8, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_face_point, cube_coordinate, cube_direction, cube_neighbor, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_face_point, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_turned, tetrahedron_texel, tetrahedron_face_of, pancake, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, correct_quotient, floor_divide, to_unorm, to_unorm10, from_unorm10, to_unorm16, from_unorm16, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_rgb10, encode_r16, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_rgb10, decode_r16, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far_plane, in_filter_domain, compare, lit, lit_2x2, map_covers, within_far_plane, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_rotation, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened_kernel8, hardened_kernel16, hardened_kernel32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, from_optimized_moments, bias_moments, to_forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, reduce_light_bleeding, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, exponential_warp, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, to_optimized_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, receiver_slope, cascade_slope, slope_bias, dual_paraboloid_slope, normal_offset, kernel_bias, receiver_plane_slope, apply_receiver_plane, acne_free_bias, acne_free_disc_bias, peter_panning_distance, spot_cone, diffuse_ambient, false_color, overlay_texel, probe_color, probe_inputs };

@@ -88,3 +88,4 @@
 #include <umbrage/version.hpp>
 #include <umbrage/view/false_color.hpp>
 #include <umbrage/view/overlay_texel.hpp>
+#include <umbrage/view/probe_color.hpp>

@@ -10672,6 +10672,133 @@ inline constexpr const snippet* overlay_texel_snippets[]{&overlay_texel};
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/view/probe_color.hpp
+// Colors that say what is wrong with a receiver, as a debug view: texels of each map where all is well, and a plain
+// color for each reason why a receiver cannot be shadowed.
+//
+//     glm::vec3 color = umbrage::probe_color(at, glm::vec2(1024), bias, 0.0f);
+//     color = umbrage::probe_inputs(color, world, normal);
+//
+// A shadow has both as one function, in C++ and in shaders: shadow/probe.hpp. Engines call such a view "visualize
+// cascades" or "shadow debug mode".
+
+namespace umbrage {
+
+namespace detail {
+
+/// Tells whether a probe can use a number: neither NaN nor 2^64 and more.
+template <real T>
+[[nodiscard]] constexpr bool is_usable(T v) {
+    return !is_nan(v) && v < T(0x1p64) && v > T(-0x1p64);
+}
+
+}  // namespace detail
+
+/// What a receiver's place in a map says, as a color.
+///
+/// @param at       (x, y) in texels, z depth, before the bias
+/// @param size     of the map, texels
+/// @param bias     of the receiver
+/// @param number   of the map, whole, 0 .. 65535: a cascade, a face, a page
+/// @return         RGB in [0, 1]. Magenta: not a number. Black: behind the light, or in no cascade. White: outside the
+///                 map. Cyan: beyond the far plane. Blue: before the near plane. Red: bias at its limit of 1, so that
+///                 nothing is in shadow. Else squares of one texel, in the map's own color, of which there are eight
+/// @formula        bits of number + 1 choose 0.875 or 0.375 for red, green and blue; every other square by 0.75
+/// @exactness      A
+template <real T>
+[[nodiscard]] glm::vec<3, T> probe_color(glm::vec<3, T> at, glm::vec<2, T> size, T bias, T number,
+                                         depth_direction direction = depth_direction::forward) {
+    using color = glm::vec<3, T>;
+    const T z_far = T(cleared_depth(direction)), z_near = T(1) - z_far;
+    if (!(detail::is_usable(at.x) && detail::is_usable(at.y) && detail::is_usable(at.z))) return color(1, 0, 1);
+    if (at.x >= T(65536)) return color(0, 0, 0);
+    if (!(at.x >= T(0) && at.y >= T(0) && at.x <= size.x && at.y <= size.y)) return color(1, 1, 1);
+    if (z_far > z_near ? at.z > T(1) : at.z < T(0)) return color(0, 1, 1);
+    if (z_far > z_near ? at.z < T(0) : at.z > T(1)) return color(0, 0, 1);
+    if (is_nan(bias) || !(bias < T(1))) return color(1, 0, 0);
+    const auto is_odd = [](T v) { return v - T(2) * std::floor(v * T(0.5)) > T(0.5); };
+    const T shade = is_odd(std::floor(at.x) + std::floor(at.y)) ? T(0.75) : T(1);
+    const auto level = [&](T bit) { return (is_odd(std::floor((number + T(1)) * bit)) ? T(0.875) : T(0.375)) * shade; };
+    return {level(T(1)), level(T(0.5)), level(T(0.25))};
+}
+
+/// The color, unless the receiver itself is wrong.
+///
+/// @param color    of probe_color
+/// @param world    the receiver's position
+/// @param normal   of its surface
+/// @return         magenta where a component is NaN, or 2^64 and more; yellow for a normal of zero, which gets no bias;
+///                 else color
+/// @exactness      A
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> probe_inputs(glm::vec<3, T> color, glm::vec<3, T> world, glm::vec<3, T> normal) {
+    bool usable = true, zero = true;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        usable = usable && detail::is_usable(world[i]) && detail::is_usable(normal[i]);
+        zero = zero && normal[i] == T(0);
+    }
+    if (!usable) return {T(1), T(0), T(1)};
+    return zero ? glm::vec<3, T>(T(1), T(1), T(0)) : color;
+}
+
+namespace glsl {
+
+inline constexpr snippet probe_color{
+    .name = "probe_color",
+    .summary = "debug color of a place in a map: its texels, or why it cannot be shadowed",
+    .exactness = tier::a,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_probe_color: what a receiver's place in a map says, as a color
+//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
+//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
+//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
+                                       UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    bool usable = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;
+    bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    bool forward = umbrage_cleared_depth() > 0.5;
+    bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
+    bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
+    UMBRAGE_HIGHP float square = floor(at.x) + floor(at.y);
+    UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
+    UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    bits = bits - 2.0 * floor(bits * 0.5);
+    UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
+    color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);
+    color = past_near ? vec3(0.0, 0.0, 1.0) : color;
+    color = past_far ? vec3(0.0, 1.0, 1.0) : color;
+    color = inside ? color : vec3(1.0, 1.0, 1.0);
+    color = at.x < 65536.0 ? color : vec3(0.0, 0.0, 0.0);
+    return usable ? color : vec3(1.0, 0.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet probe_inputs{
+    .name = "probe_inputs",
+    .summary = "debug color, unless position or normal are wrong",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
+                                        UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    bool usable = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
+    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec3 given = zero ? vec3(1.0, 1.0, 0.0) : color;
+    return usable ? given : vec3(1.0, 0.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* probe_color_snippets[]{&probe_color, &probe_inputs};
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/primitives.hpp
 // The primitives of umbrage alone, for short compile times. <umbrage/umbrage.hpp>, or headers of their own, have the
 // rest: shadows as one object, functions over whole images with the depth pass, fitted lights (directional_fit,
@@ -20769,12 +20896,26 @@ struct shader_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;
 };
 
+/// A function of the shader for one shadow, which hands its arguments on behind the map and the block.
+struct interface_function {
+    struct argument {
+        std::string_view name;
+        int components = 3;
+    };
+    std::string_view name{};                     ///< umbrage_<name>_<shadow>; umbrage_<shadow> for none
+    std::string_view calls;                      ///< umbrage_<calls>_<shadow>
+    std::string_view says;                       ///< what it gives, for a comment
+    int components = 1;                          ///< of what it returns
+    bool reads_map = true, reads_fields = true;  ///< else the last two alone: shadow_terms
+    std::vector<argument> arguments{};
+};
+
 /// What a text declares for one shadow.
 struct shader_interface {
-    std::string name;                     ///< function umbrage_<name>
+    std::string name;
     std::vector<uniform_field> fields{};  ///< of the block
     shader_slots slots{};
-    bool takes_pixel = false;  ///< a third argument, the position in pixels, for filters that turn
+    std::vector<interface_function> functions{};
 
     [[nodiscard]] std::string prefix() const { return "umbrage_" + name; }
 };
@@ -20786,13 +20927,36 @@ struct map_parameter {
     std::string map, sampler;  ///< sampler: empty where there is none
 };
 
-/// A call of the shadow's function of all its arguments, `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
+/// A call of a function of all its arguments, `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
 template <class Member>
-[[nodiscard]] std::string interface_call(const shader_interface& i, const std::string& map, const std::string& sampler,
-                                         const Member& member) {
-    std::string call = "umbrage_shadow_" + i.name + "(" + map + (sampler.empty() ? "" : ", " + sampler);
-    for (std::size_t f = 0; f < i.fields.size(); ++f) call += ", " + member(f);
-    return call + ", world, normal" + (i.takes_pixel ? ", pixel)" : ")");
+[[nodiscard]] std::string interface_call(const shader_interface& i, const interface_function& f, const std::string& map,
+                                         const std::string& sampler, const Member& member) {
+    std::string all;
+    if (f.reads_map) all += ", " + map + (sampler.empty() ? "" : ", " + sampler);
+    for (std::size_t m = f.reads_fields ? 0 : i.fields.size() - 2; m < i.fields.size(); ++m) all += ", " + member(m);
+    for (const auto& a : f.arguments) all.append(", ").append(a.name);
+    return "umbrage_" + std::string(f.calls) + "_" + i.name + "(" + all.substr(2) + ")";
+}
+
+/// Declares its arguments: "float3 world, float3 normal".
+/// @param type   a language's word for a number of components
+template <class Type>
+[[nodiscard]] std::string parameters_of(const interface_function& f, const Type& type, bool type_last = false) {
+    std::string all;
+    for (const auto& a : f.arguments) {
+        const std::string name(a.name);
+        all += (all.empty() ? "" : ", ") + (type_last ? name + ": " + type(a.components) : type(a.components) + name);
+    }
+    return all;
+}
+
+[[nodiscard]] inline std::string name_of(const shader_interface& i, const interface_function& f) {
+    return f.name.empty() ? i.prefix() : "umbrage_" + std::string(f.name) + "_" + i.name;
+}
+
+/// HLSL's and MSL's word.
+[[nodiscard]] inline std::string float_type(int components) {
+    return components == 1 ? "float " : "float" + std::to_string(components) + " ";
 }
 
 /// A declared parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map".
@@ -20802,9 +20966,10 @@ template <class Member>
     return declaration.replace(at + (declaration[at] == ' ' ? 1 : 0), from.size(), to);
 }
 
-[[nodiscard]] inline std::string with_head(const shader_interface& i, const std::string& function) {
-    return "\n// " + i.prefix() + ": visibility of a point of the world, 1.0 is lit; a normal of zero is none\n" +
-           laid_out(function);
+[[nodiscard]] inline std::string with_head(const std::string& name, const interface_function& f,
+                                           const std::string& declaration, const std::string& call) {
+    return "\n// " + name + ": " + std::string(f.says) + "\n" +
+           laid_out(declaration + " {\n    return " + call + ";\n}\n");
 }
 
 [[nodiscard]] inline std::string glsl_interface(const shader_interface& i, const map_parameter& map, version v) {
@@ -20836,9 +21001,13 @@ template <class Member>
         if (!i.fields[f].matrix) return vector(0);
         return "mat4(" + vector(0) + ", " + vector(1) + ", " + vector(2) + ", " + vector(3) + ")";
     };
-    return out + with_head(i, high + "float " + i.prefix() + "(" + high + "vec3 world, " + high + "vec3 normal" +
-                                  (i.takes_pixel ? ", " + high + "vec2 pixel" : "") + ") {\n    return " +
-                                  interface_call(i, i.prefix() + "_map", "", member) + ";\n}\n");
+    const auto type = [&](int components) {
+        return high + (components == 1 ? "float " : "vec" + std::to_string(components) + " ");
+    };
+    for (const interface_function& f : i.functions)
+        out += with_head(name_of(i, f), f, type(f.components) + name_of(i, f) + "(" + parameters_of(f, type) + ")",
+                         interface_call(i, f, i.prefix() + "_map", "", member));
+    return out;
 }
 
 [[nodiscard]] inline std::string hlsl_interface(const shader_interface& i, const map_parameter& map, version) {
@@ -20853,12 +21022,12 @@ template <class Member>
     out += "};\n" + renamed(map.map, "map", i.prefix() + "_map") + slot('t', i.slots.texture) + ";\n";
     const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
     if (!sampler.empty()) out += renamed(map.sampler, "map_sampler", sampler) + slot('s', i.slots.sampler) + ";\n";
-    return out + with_head(i, "float " + i.prefix() + "(float3 world, float3 normal" +
-                                  (i.takes_pixel ? ", float2 pixel" : "") + ") {\n    return " +
-                                  interface_call(
-                                      i, i.prefix() + "_map", sampler,
-                                      [&](std::size_t f) { return i.prefix() + "_" + std::string(i.fields[f].name); }) +
-                                  ";\n}\n");
+    for (const interface_function& f : i.functions)
+        out += with_head(
+            name_of(i, f), f, float_type(f.components) + name_of(i, f) + "(" + parameters_of(f, float_type) + ")",
+            interface_call(i, f, i.prefix() + "_map", sampler,
+                           [&](std::size_t m) { return i.prefix() + "_" + std::string(i.fields[m].name); }));
+    return out;
 }
 
 [[nodiscard]] inline std::string wgsl_interface(const shader_interface& i, const map_parameter& map, version) {
@@ -20873,12 +21042,15 @@ template <class Member>
            renamed(map.map, "map", i.prefix() + "_map") + ";\n";
     const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
     if (!sampler.empty()) out += slot(i.slots.sampler) + " " + renamed(map.sampler, "map_sampler", sampler) + ";\n";
-    return out + with_head(i, "fn " + i.prefix() + "(world: vec3f, normal: vec3f" +
-                                  (i.takes_pixel ? ", pixel: vec2f" : "") + ") -> f32 {\n    return " +
-                                  interface_call(
-                                      i, i.prefix() + "_map", sampler,
-                                      [&](std::size_t f) { return uniforms + "." + std::string(i.fields[f].name); }) +
-                                  ";\n}\n");
+    const auto type = [](int components) {
+        return components == 1 ? std::string("f32") : "vec" + std::to_string(components) + "f";
+    };
+    for (const interface_function& f : i.functions)
+        out += with_head(name_of(i, f), f,
+                         "fn " + name_of(i, f) + "(" + parameters_of(f, type, true) + ") -> " + type(f.components),
+                         interface_call(i, f, i.prefix() + "_map", sampler,
+                                        [&](std::size_t m) { return uniforms + "." + std::string(i.fields[m].name); }));
+    return out;
 }
 
 [[nodiscard]] inline std::string msl_interface(const shader_interface& i, const map_parameter& map, version) {
@@ -20886,13 +21058,15 @@ template <class Member>
     std::string out = "\nstruct " + block + " {\n";
     for (const uniform_field& f : i.fields)
         out += std::string("    ") + (f.matrix ? "metal::float4x4 " : "float4 ") + std::string(f.name) + ";\n";
-    return out + "};\n" +
-           with_head(i, "inline float " + i.prefix() + "(constant " + block + "& block, " + map.map +
-                            (map.sampler.empty() ? "" : ", " + map.sampler) + ", float3 world, float3 normal" +
-                            (i.takes_pixel ? ", float2 pixel" : "") + ") {\n    return " +
-                            interface_call(i, "map", map.sampler.empty() ? "" : "map_sampler",
-                                           [&](std::size_t f) { return "block." + std::string(i.fields[f].name); }) +
-                            ";\n}\n");
+    out += "};\n";
+    const std::string map_and_sampler = map.map + (map.sampler.empty() ? "" : ", " + map.sampler) + ", ";
+    for (const interface_function& f : i.functions)
+        out += with_head(name_of(i, f), f,
+                         "inline " + float_type(f.components) + name_of(i, f) + "(constant " + block + "& block, " +
+                             (f.reads_map ? map_and_sampler : "") + parameters_of(f, float_type) + ")",
+                         interface_call(i, f, "map", map.sampler.empty() ? "" : "map_sampler",
+                                        [&](std::size_t m) { return "block." + std::string(i.fields[m].name); }));
+    return out;
 }
 
 }  // namespace detail
@@ -21388,10 +21562,14 @@ private:
         const shader_interface& i = *item.declared;
         umbrage::detail::require(language_.declare != nullptr, language_.function, "version",
                                  "given for a shadow's uniforms", "none");
-        for (const part& done : done_)
-            if (done.what + done.suffix == i.name)
-                umbrage::detail::refuse(language_.function, "name", "another than a snippet's or shadow's of the text",
-                                        std::string_view(i.name));
+        for (const interface_function& f : i.functions) {
+            const std::string name = name_of(i, f).substr(8);  // behind umbrage_
+            for (const part& done : done_)
+                if (done.what + done.suffix == name)
+                    umbrage::detail::refuse(language_.function, "name",
+                                            "another than a snippet's or shadow's of the text", std::string_view(name));
+            done_.push_back({name, {}, {}});
+        }
         map_parameter map;
         const std::string parameters = parameters_of(item.map, language_.texture(item.map.texture));
         for (const std::string_view parameter : members(parameters)) {
@@ -21401,7 +21579,6 @@ private:
             if (name == "map_sampler") map.sampler = std::move(one);
         }
         text_ += language_.declare(i, map, language_.dialect.value_or(version::vulkan));
-        done_.push_back({i.name, {}, {}});
     }
 
     /// Tells whether the item prints functions that belong to its map.
@@ -23095,7 +23272,7 @@ template <class Use = umbrage::detail::on_use>
             // bias, shade, view
             .add_all({light_units_snippets, constant_snippets, slope_snippets, distance_slope_snippets,
                       normal_offset_snippets, kernel_snippets, receiver_plane_snippets, acne_free_snippets})
-            .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets})
+            .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets, probe_color_snippets})
             .members();
     }();
     return all;
@@ -24332,14 +24509,25 @@ template <prefilter Prefilter>
     else return "";
 }
 
-/// bias_of and look in GLSL: umbrage_look, for a filter's map alone.
-/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters that turn
+/// bias_of in GLSL, as what computes it,
 template <class Filter>
-[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
-    const glsl::snippet& bias = disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+[[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
+    return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+}
+/// and as a statement of `slope` and `terms`.
+template <class Filter>
+[[nodiscard]] std::string bias_text() {
     const std::string_view reach = contact_hardening<Filter> ? "0.5"
                                    : disc_filter<Filter>     ? "filter_terms.y"
                                                              : "terms.z";
+    std::string text = "    UMBRAGE_HIGHP float bias = umbrage_";
+    return text.append(bias_snippet<Filter>().name).append("(slope, ").append(reach).append(", terms.w);\n");
+}
+
+/// look in GLSL: umbrage_look, for a filter's map alone.
+/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters that turn
+template <class Filter>
+[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
     std::string text =
         "\n// umbrage_look: visibility of a receiver in one map\n"
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
@@ -24348,13 +24536,22 @@ template <class Filter>
         text +=
             "    UMBRAGE_HIGHP vec2 receiver_slope = slope;\n"
             "    UMBRAGE_HIGHP vec2 receiver_coord = vec2(at.x, at.y);\n";
-    text.append("    UMBRAGE_HIGHP float bias = umbrage_").append(bias.name).append("(slope, ").append(reach);
-    text.append(", terms.w);\n    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
+    text.append(bias_text<Filter>());
+    text.append("    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
     text.append(filter.snippet->name).append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver");
     text.append(arguments_of<Filter>()).append(");\n}\n");
-    glsl::own_text look{"look", std::move(text), {&bias, &glsl::biased, filter.snippet}};
+    glsl::own_text look{"look", std::move(text), {&bias_snippet<Filter>(), &glsl::biased, filter.snippet}};
     if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
     return look;
+}
+
+/// A set-up's text whose look-ups take one more argument.
+[[nodiscard]] inline std::string with_argument(std::string text, std::string_view argument) {
+    for (auto i = text.find("umbrage_look("); i != text.npos; i = text.find("umbrage_look(", i)) {
+        i = text.find(";\n", i) - 1;
+        text.insert(i, std::string(", ").append(argument));
+    }
+    return text;
 }
 
 /// The filter's map in a shader.
@@ -24622,6 +24819,283 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
 
 }  // namespace umbrage
 
+// ---- umbrage/shadow/calibration.hpp
+// Tells whether a host reads a shadow's map as it should: load a map of known depths, ask, and get one answer.
+//
+//     auto known = umbrage::calibration_map(sun);                      // upload it in place of the drawn map
+//     umbrage::map_reading says = umbrage::calibrate(sun, known, 0);   // on the CPU: map_reading::right
+//     std::puts(umbrage::explain(says));
+//
+// In a shader, umbrage_calibrate_sun(0.0) gives the same number, of bind(sun, "sun", {.debug = true}): in_shader.hpp.
+// Of a map that was just cleared it has to say map_reading::empty.
+
+namespace umbrage {
+
+/// What a map of known depths is read as.
+enum class map_reading { right, empty, dark, upside_down, another_map, reversed, coarse, wrong };
+
+/// The reading in a sentence, with what to check.
+[[nodiscard]] constexpr const char* explain(map_reading reading) {
+    switch (reading) {
+        case map_reading::right: return "The map is read right.";
+        case map_reading::empty: return "Every depth is lit: the map is cleared, or another texture is bound.";
+        case map_reading::dark:
+            return "No depth is lit: the map was cleared to the near plane, or holds no numbers, or is not bound.";
+        case map_reading::upside_down:
+            return "The map is upside down: check the clip space's origin, or which row an upload begins with.";
+        case map_reading::another_map: return "Another map of the light is read: check the order of layers or tiles.";
+        case map_reading::reversed:
+            return "Depths compare the wrong way round: check the sampler's comparison, or the clip space's direction.";
+        case map_reading::coarse:
+            return "Depths have too few bits: check the texture's format, and that all channels are read.";
+        default:
+            return "Other depths are read: check sRGB, filtering of packed texels, the order of channels, the map's "
+                   "size and the encoding.";
+    }
+}
+
+namespace detail {
+
+/// Distance from the near plane, 0 to 1, of the k-th of 32 known depths: four of each map, of which eight repeat.
+[[nodiscard]] constexpr float known_distance(float k) { return (k + 1.0f) * (1.0f / 34.0f); }
+
+/// Half of what lies between two known depths, with room for rounding.
+inline constexpr float coarse_tolerance = 1.0f / 72.0f;
+
+/// By how much a reading may be off, a power of two: its encoding's error, rounding and bias.
+/// Prefilters see a step of depth as a ramp, so that they tell levels apart and no more.
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] float calibration_tolerance(const Encoding& encoding) {
+    if constexpr (prefilter<Filter>) return coarse_tolerance;
+    else {
+        const decoding_error both = encoding.error();
+        float tolerance = 0x1p-18f;
+        while (double(tolerance) < 2.0 * (both.below + both.above + bends_of<SetUp>().error) + 0x1p-19)
+            tolerance *= 2.0f;
+        return tolerance < coarse_tolerance ? tolerance : coarse_tolerance;
+    }
+}
+
+}  // namespace detail
+
+/// A map with known depths: four blocks, another four in each of the light's maps.
+///
+/// @return   of the shadow's size(), as its encoding stores them; the first row is the first in memory
+/// @throws std::invalid_argument   maps smaller than four times the filter's reach
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<SetUp, Filter, Encoding>& of) {
+    const glm::ivec2 map_size = of.map_size(), size = of.size();
+    const float reach = detail::reach_of(of.filter());
+    detail::require(4.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "calibration_map",
+                    "of.map_size()", "four times the filter's reach or more", map_size);
+    image<float> depths(size);
+    for (glm::ivec2 p(0); p.y < size.y; ++p.y)
+        for (p.x = 0; p.x < size.x; ++p.x) {
+            const glm::ivec2 tile = p / map_size, in_map = p % map_size;
+            const int number = (tile.x + tile.y * SetUp::grid.columns) % 8;
+            const int block = (2 * in_map.x >= map_size.x ? 1 : 0) + (2 * in_map.y >= map_size.y ? 2 : 0);
+            const float distance = detail::known_distance(static_cast<float>(8 * block + number));
+            depths[p] = of.encoding().direction == depth_direction::forward ? distance : 1.0f - distance;
+        }
+    image<typename Encoding::texel> map(size, of.cleared());
+    of.store(depths, map);
+    return map;
+}
+
+/// Reads a map of known depths through the shadow's own filter.
+///
+/// @param map      calibration_map(of), as the host has it; or one that was just cleared
+/// @param number   of the light's map, >= 0
+/// @return         map_reading::right when every block is read as it was stored, map_reading::empty of a cleared map
+/// @throws std::invalid_argument   map of another size, a number that the light lacks
+/// @exactness      the reading is the shader's wherever the filter's visibilities are on the same side of 1/2
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] map_reading calibrate(const shadow<SetUp, Filter, Encoding>& of,
+                                    image_view<const typename Encoding::texel> map, int number) {
+    detail::require_size(map.size, of.size(), "calibrate", "map.size", "the shadow's size()");
+    detail::require(number >= 0 && number < SetUp::grid.columns * SetUp::grid.rows, "calibrate", "number",
+                    "one of the light's maps", number);
+    const shadow_terms terms = of.uniforms().terms;
+    const auto own = map.region(detail::first_texel(number, SetUp::grid, of.map_size()), of.map_size());
+    const comparison is_lit{of.encoding().direction};
+    const float bias = detail::bias_of<Filter>(terms, glm::vec2(0));
+    const auto lit_at = [&](glm::vec2 coord, float distance) {
+        const float depth = is_lit.direction == depth_direction::forward ? distance : 1.0f - distance;
+        return detail::look<SetUp::outside>(own, of.filter(), of.encoding(),
+                                            glm::vec3(coord, biased(depth, bias, is_lit)), glm::vec2(0), {}) > 0.5f;
+    };
+    const float tolerance = detail::calibration_tolerance<SetUp, Filter>(of.encoding());
+    const float map_number = static_cast<float>(number % 8);
+    int right = 0, nearly = 0, lit = 0, dark = 0, turned = 0, flipped = 0, others = 0;
+    for (int block = 0; block < 4; ++block) {
+        const float row = block < 2 ? 0.0f : 1.0f, column = float(block) - 2.0f * row;
+        const glm::vec2 coord = terms.map_size * glm::vec2(0.25f + 0.5f * column, 0.25f + 0.5f * row);
+        float found = 0.0f, step = 0.5f;
+        for (int i = 0; i < 20; ++i, step *= 0.5f) found = lit_at(coord, found + step) ? found + step : found;
+        const auto is = [&](float of_block, float of_map, float within) {
+            return std::abs(found - detail::known_distance(8.0f * of_block + of_map)) <= within;
+        };
+        right += is(float(block), map_number, tolerance);
+        nearly += is(float(block), map_number, detail::coarse_tolerance);
+        lit += found > 0.9999f;
+        dark += found < 0.0001f;
+        turned += !lit_at(coord, 0.0f) && lit_at(coord, 1.0f);
+        flipped += is(column + 2.0f - 2.0f * row, map_number, detail::coarse_tolerance);
+        for (int other = 0; other < 8; ++other) others += is(float(block), float(other), detail::coarse_tolerance);
+    }
+    return right == 4     ? map_reading::right
+           : turned == 4  ? map_reading::reversed
+           : lit == 4     ? map_reading::empty
+           : dark == 4    ? map_reading::dark
+           : nearly == 4  ? map_reading::coarse
+           : flipped == 4 ? map_reading::upside_down
+           : others == 4  ? map_reading::another_map
+                          : map_reading::wrong;
+}
+
+namespace detail {
+
+/// calibrate in GLSL: umbrage_reading, behind what it calls.
+/// @param terms    declarations of shadow_terms
+/// @param pixel    ", vec2(0.5, 0.5)" for filters that turn
+/// @param choice   the statement that chooses the map of `number`; empty for one map
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] std::array<glsl::own_text, 2> calibration_texts(const Encoding& encoding, const std::string& terms,
+                                                              const std::string& pixel, const std::string& choice) {
+    const int parts = static_cast<int>(1.0f / calibration_tolerance<SetUp, Filter>(encoding) + 0.5f);
+    return {{{"lit_at",
+              "\n// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
+              "UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, " +
+                  terms +
+                  "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
+                  "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
+                  "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
+                  "    return umbrage_look(map, terms, filter_terms, at, vec2(0.0, 0.0)" +
+                  pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
+              {&glsl::cleared_depth}},
+             {"reading",
+              "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
+              "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
+                  terms + "UMBRAGE_HIGHP float number) {\n" + choice + "    UMBRAGE_HIGHP float tolerance = 1.0 / " +
+                  std::to_string(parts) + R"GLSL(.0;
+    UMBRAGE_HIGHP float coarse = 1.0 / 72.0;
+    UMBRAGE_HIGHP float own = number - 8.0 * floor(number * 0.125) + 1.0;
+    UMBRAGE_HIGHP vec4 met = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec3 seen = vec3(0.0, 0.0, 0.0);
+    for (int block = 0; block < 4; ++block) {
+        UMBRAGE_HIGHP float row = block < 2 ? 0.0 : 1.0;
+        UMBRAGE_HIGHP float column = float(block) - 2.0 * row;
+        UMBRAGE_HIGHP vec2 coord = vec2(terms.x * (0.25 + 0.5 * column), terms.y * (0.25 + 0.5 * row));
+        UMBRAGE_HIGHP float found = 0.0;
+        UMBRAGE_HIGHP float step_size = 0.5;
+        for (int i = 0; i < 20; ++i) {
+            found += umbrage_lit_at(map, terms, filter_terms, coord, found + step_size) * step_size;
+            step_size *= 0.5;
+        }
+        UMBRAGE_HIGHP float first = 8.0 * float(block);
+        UMBRAGE_HIGHP float turned = 8.0 * (column + 2.0 - 2.0 * row);
+        UMBRAGE_HIGHP float here = abs(found - (first + own) * (1.0 / 34.0));
+        UMBRAGE_HIGHP float there = abs(found - (turned + own) * (1.0 / 34.0));
+        UMBRAGE_HIGHP float nearest = clamp(floor(found * 34.0 + 0.5), first + 1.0, first + 8.0);
+        UMBRAGE_HIGHP float other = abs(found - nearest * (1.0 / 34.0));
+        met += vec4(here <= tolerance ? 1.0 : 0.0, here <= coarse ? 1.0 : 0.0, there <= coarse ? 1.0 : 0.0,
+                    other <= coarse ? 1.0 : 0.0);
+        UMBRAGE_HIGHP float front = umbrage_lit_at(map, terms, filter_terms, coord, 0.0);
+        UMBRAGE_HIGHP float back = umbrage_lit_at(map, terms, filter_terms, coord, 1.0);
+        seen += vec3(found > 0.9999 ? 1.0 : 0.0, found < 0.0001 ? 1.0 : 0.0, (1.0 - front) * back);
+    }
+    UMBRAGE_HIGHP float reading = 7.0;
+    reading = met.w > 3.5 ? 4.0 : reading;
+    reading = met.z > 3.5 ? 3.0 : reading;
+    reading = met.y > 3.5 ? 6.0 : reading;
+    reading = seen.y > 3.5 ? 2.0 : reading;
+    reading = seen.x > 3.5 ? 1.0 : reading;
+    reading = seen.z > 3.5 ? 5.0 : reading;
+    return met.x > 3.5 ? 0.0 : reading;
+}
+)GLSL"}}};
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/shadow/probe.hpp
+// A debug view of a shadow: texels, cascades and pages in colors, and a plain color for each reason why a point cannot
+// be shadowed. Turn it on when a shadow is missing and nothing says why.
+//
+//     glm::vec3 color = umbrage::probe(sun, world, normal);
+//
+// In a shader, umbrage_probe_sun(world, normal), of bind(sun, "sun", {.debug = true}): in_shader.hpp.
+
+namespace umbrage {
+
+/// What a shadow makes of a point of the world, as a color; it reads no map.
+///
+/// @param world, normal   as the shadow takes them
+/// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Where cascades blend, their colors do; the last
+///              one fades to white
+/// @exactness   as project_coordinate: C; the color itself A
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] glm::vec3 probe(const shadow<SetUp, Filter, Encoding>& of, glm::vec3 world, glm::vec3 normal) {
+    const auto uniforms = of.uniforms();
+    glm::vec3 color(0);
+    for (glm::length_t channel = 0; channel < 3; ++channel)
+        color[channel] = SetUp::visibility(uniforms.maps, uniforms.terms, world, normal, [&](const map_place& place) {
+            const float bias = detail::bias_of<Filter>(uniforms.terms, place.slope);
+            const auto number = static_cast<float>(place.number);
+            return probe_color(place.at, uniforms.terms.map_size, bias, number, of.encoding().direction)[channel];
+        });
+    return probe_inputs(color, world, normal);
+}
+
+namespace detail {
+
+/// probe in GLSL: umbrage_point_color, behind what it calls.
+/// @param terms    declarations of shadow_terms
+/// @param fields   of the set-up's uniforms, declared, and as arguments
+template <class SetUp, class Filter>
+[[nodiscard]] std::vector<glsl::own_text> probe_texts(const std::string& terms, const std::string& fields,
+                                                      const std::string& arguments) {
+    glsl::own_text place{"place_color",
+                         "\n// umbrage_place_color: one channel of a receiver's debug color in one map\n"
+                         "UMBRAGE_HIGHP float umbrage_place_color(UMBRAGE_HIGHP float number, " +
+                             terms +
+                             "UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float channel) {\n" +
+                             bias_text<Filter>() +
+                             "    UMBRAGE_HIGHP vec3 color = umbrage_probe_color(at, vec2(terms.x, terms.y), bias, "
+                             "number);\n"
+                             "    UMBRAGE_HIGHP float later = channel < 1.5 ? color.y : color.z;\n"
+                             "    return channel < 0.5 ? color.x : later;\n}\n",
+                         {&bias_snippet<Filter>(), &glsl::probe_color}};
+    std::string body = with_argument(SetUp::text(glsl::map_choice{}), "channel");
+    const std::string number = SetUp::grid.columns * SetUp::grid.rows > 1 ? "layer" : "0.0";
+    const std::string_view look = "umbrage_look(map";
+    for (auto i = body.find(look); i != body.npos; i = body.find(look))
+        body.replace(i, look.size(), "umbrage_place_color(" + number);
+    glsl::own_text channel{"channel_color",
+                           "\n// umbrage_channel_color: one channel of a point's debug color\n"
+                           "UMBRAGE_HIGHP float umbrage_channel_color(" +
+                               fields + terms +
+                               "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP float channel) {" +
+                               body + "}\n"};
+    channel.needs.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
+    const std::string of = "umbrage_channel_color(" + arguments + "terms, filter_terms, world, normal, ";
+    return {std::move(place),
+            std::move(channel),
+            {"point_color",
+             "\n// umbrage_point_color: debug color of a point of the world\n"
+             "UMBRAGE_HIGHP vec3 umbrage_point_color(" +
+                 fields + terms +
+                 "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {\n"
+                 "    UMBRAGE_HIGHP vec3 color = vec3(" +
+                 of + "0.0), " + of + "1.0), " + of + "2.0));\n" +
+                 "    return umbrage_probe_inputs(color, world, normal);\n}\n",
+             {&glsl::cleared_depth, &glsl::probe_inputs}}};
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
 // ---- umbrage/shadow/in_shader.hpp
 // A shadow in a shader: its block, its map and one function, in any language.
 //
@@ -24635,6 +25109,9 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
 //     std::string pass = source(version::v330, {bind_depth_pass(lamp, "lamp")});
 //
 // hlsl::text, wgsl::text and msl::text take the same; in Metal block, map and sampler come first.
+//
+// When a shadow is missing: bind(sun, "sun", {.debug = true}) adds umbrage_probe_sun(world, normal), colors that say why
+// (probe.hpp), and umbrage_calibrate_sun(number), which tells how the host reads its map (calibration.hpp).
 
 namespace umbrage::glsl {
 
@@ -24643,33 +25120,39 @@ struct shadow_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;  ///< see shader_slots
     std::optional<glsl::texture> map{};  ///< none: texture_2d for one map, atlas for several. Or depth, shadow for one;
                                          ///< array, depth_array, shadow_array for several
+    bool debug = false;                  ///< umbrage_probe_<name> and umbrage_calibrate_<name> too
 };
 
 namespace detail {
 
-/// umbrage_look and umbrage_shadow, of one shadow's map alone.
-template <class SetUp, class Filter>
-[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const map_choice& choice) {
+/// umbrage_look and umbrage_shadow, of one shadow's map alone; to debug it, more.
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding,
+                                                 const map_choice& choice, bool debug) {
     constexpr bool turns = umbrage::detail::turning<Filter>;
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
     const std::string pixel = turns ? ", UMBRAGE_HIGHP vec2 pixel" : "";
-    own_text look = umbrage::detail::look_text(filter, terms, pixel);
-
-    std::string parameters, body = SetUp::text(choice);
-    for (const uniform_field& f : SetUp::fields)
-        parameters += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
-    if (turns)
-        for (auto i = body.find("umbrage_look("); i != body.npos; i = body.find("umbrage_look(", i)) {
-            i = body.find(";\n", i) - 1;
-            body.insert(i, ", pixel");
-        }
+    std::string fields, arguments;
+    for (const uniform_field& f : SetUp::fields) {
+        fields += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
+        arguments += std::string(f.name) + ", ";
+    }
     own_text door{"shadow",
                   "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
                   "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, " +
-                      parameters + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" +
-                      body + "}\n"};
+                      fields + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" +
+                      (turns ? umbrage::detail::with_argument(SetUp::text(choice), "pixel") : SetUp::text(choice)) +
+                      "}\n"};
     door.needs.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
-    return {std::move(look), std::move(door)};
+    std::vector<own_text> all{umbrage::detail::look_text(filter, terms, pixel), std::move(door)};
+    if (!debug) return all;
+    for (own_text& text : umbrage::detail::probe_texts<SetUp, Filter>(terms, fields, arguments))
+        all.push_back(std::move(text));
+    const bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
+    for (own_text& text : umbrage::detail::calibration_texts<SetUp, Filter>(
+             encoding, terms, turns ? ", vec2(0.5, 0.5)" : "", several ? choice.first("number") : std::string()))
+        all.push_back(std::move(text));
+    return all;
 }
 
 /// How many channels a texel has.
@@ -24746,13 +25229,30 @@ template <class SetUp, class Filter, class Encoding>
     if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
-    item.texts = detail::shadow_texts<SetUp>(of.filter(), layers ? map_choice{} : SetUp::tiles);
+    item.texts =
+        detail::shadow_texts<SetUp>(of.filter(), of.encoding(), layers ? map_choice{} : SetUp::tiles, slots.debug);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
-    shader_interface declared{std::string(name),
-                              {},
-                              {slots.block, slots.texture, slots.sampler, slots.set},
-                              umbrage::detail::turning<Filter>};
+    shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};
+    declared.functions = {{.calls = "shadow",
+                           .says = "visibility of a point of the world, 1.0 is lit; a normal of zero is none",
+                           .arguments = {{"world"}, {"normal"}}}};
+    if (umbrage::detail::turning<Filter>) declared.functions[0].arguments.push_back({"pixel", 2});
+    if (slots.debug) {
+        declared.functions.push_back({.name = "probe",
+                                      .calls = "point_color",
+                                      .says = "debug color of a point of the world, as umbrage_probe_color says",
+                                      .components = 3,
+                                      .reads_map = false,
+                                      .arguments = {{"world"}, {"normal"}}});
+        declared.functions.push_back(
+            {.name = "calibrate",
+             .calls = "reading",
+             .says = "what a calibration map is read as: 0.0 right, 1.0 empty, 2.0 dark, 3.0 upside down,\n"
+                     "//   4.0 another map, 5.0 compared the wrong way round, 6.0 too coarse, 7.0 other depths",
+             .reads_fields = false,
+             .arguments = {{"number", 1}}});
+    }
     for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);

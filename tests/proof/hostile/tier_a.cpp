@@ -22,11 +22,10 @@
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/filter/prefiltered/exp2.hpp>
-#include <umbrage/view/overlay_texel.hpp>
-#include <umbrage/view/probe_color.hpp>
 
 #include "light.hpp"
 #include "soft_shadows.hpp"
+#include "view.hpp"
 
 namespace {
 
@@ -247,32 +246,7 @@ void suite::all() const {
     run("clamp_slope", inputs, any, [](float v) { return clamp_slope(v); });
     run("box_count", few_inputs, draw, [&](const look_up& l) { return box_count(fetch, l.a, l.receiver, l.radius); });
     run("box_scale", few_inputs, draw, [](const look_up& l) { return box_scale<float>(l.radius); });
-    run(
-        "overlay_texel", inputs,
-        [](source& s) {
-            const auto size = 1 + s.below(2048), map_size = 1 + s.below(4096);
-            return glm::vec3(float(s.below(size)) + 0.5f, float(size), float(map_size));
-        },
-        [](glm::vec3 v) { return overlay_texel(v.x, v.y, v.z, v.z / v.y); });
-    run(
-        "probe_color", inputs,
-        [](source& s) {
-            const auto x = s.below(640), y = s.below(640), z = s.below(9), number = s.below(64), bias = s.below(9);
-            return std::array{float(x) / 16.0f - 4.0f, float(y) / 16.0f - 4.0f, float(z) / 4.0f - 0.5f,
-                              float(bias) / 8.0f, float(number)};
-        },
-        [](const std::array<float, 5>& v) {
-            return probe_color(glm::vec3(v[0], v[1], v[2]), glm::vec2(32.0f), v[3], v[4]);
-        });
-    run(
-        "probe_inputs", inputs,
-        [](source& s) {
-            const auto zero = s.below(2), way = s.below(3);
-            glm::vec3 normal(0);
-            normal[glm::length_t(way)] = float(zero);
-            return normal;
-        },
-        [](glm::vec3 v) { return probe_inputs(glm::vec3(0.5f), glm::vec3(1.0f), v); });
+    each_of_view([&](const char* name, auto draw_one, auto op) { run(name, inputs, draw_one, op); });
 
     // Written, stored, read back: the byte must come through a store that rounds or truncates.
     for (const auto store : {unorm_store::rounds, unorm_store::truncates})

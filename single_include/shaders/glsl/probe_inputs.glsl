@@ -1,0 +1,32 @@
+// umbrage 0.1.0, probe_inputs: debug color, unless position or normal are wrong. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_PROBE_INPUTS
+#define UMBRAGE_HAS_PROBE_INPUTS
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
+                                        UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    bool usable = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
+    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec3 given = zero ? vec3(1.0, 1.0, 0.0) : color;
+    return usable ? given : vec3(1.0, 0.0, 1.0);
+}
+#endif

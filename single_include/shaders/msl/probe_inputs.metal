@@ -1,0 +1,20 @@
+// umbrage 0.1.0, probe_inputs: debug color, unless position or normal are wrong. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_PROBE_INPUTS
+#define UMBRAGE_HAS_PROBE_INPUTS
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+inline float3 umbrage_probe_inputs(float3 color, float3 world, float3 normal) {
+    float limit = 18446744073709551616.0;
+    bool usable = metal::abs(world.x) < limit && metal::abs(world.y) < limit && metal::abs(world.z) < limit;
+    usable = usable && metal::abs(normal.x) < limit && metal::abs(normal.y) < limit && metal::abs(normal.z) < limit;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    float3 given = zero ? float3(1.0, 1.0, 0.0) : color;
+    return usable ? given : float3(1.0, 0.0, 1.0);
+}
+#endif
