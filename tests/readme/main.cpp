@@ -6,6 +6,7 @@
 //     readme --check ROOT             exit status 1 when a section is out of date: what differs, and what to run
 //     readme --write ROOT             generates the sections again
 //     readme --links ROOT             exit status 1 when a link leads nowhere, or a page is far from README.md
+//     readme --questions ROOT LIST    exit status 1 when a question's answer is more than two clicks from README.md
 //     readme --prose ROOT             exit status 1 when a sentence is long, or a word is one of those to avoid
 //     readme --proof REPORTS PROOF.md prints a line for each implementation; all of it goes to PROOF.md
 //
@@ -23,6 +24,7 @@
 
 #include "pages.hpp"
 #include "proof.hpp"
+#include "questions.hpp"
 #include "tables.hpp"
 
 namespace {
@@ -114,9 +116,13 @@ int main(int argc, char** argv) try {
     if (what == "--check") return check(args[1]);
     if (what == "--links") return report(readme::wrong_links(readme::pages(args[1]), args[1]));
     if (what == "--prose") return report(readme::wrong_prose(readme::pages(args[1])));
+    if (what == "--questions" && args.size() == 3)
+        return report(readme::wrong_questions(readme::pages(args[1]), args[2]));
     if (what == "--write") write(fs::path(args[1]));
     else if (what == "--proof" && args.size() == 3) prove(args[1], args[2]);
-    else throw std::runtime_error("--check, --write, --links or --prose ROOT, or --proof REPORTS PROOF.md");
+    else
+        throw std::runtime_error(
+            "--check, --write, --links or --prose ROOT, --questions ROOT LIST, or --proof REPORTS PROOF.md");
     return 0;
 } catch (const std::exception& error) {
     std::cerr << "readme: " << error.what() << '\n';

@@ -37,16 +37,6 @@ std::vector<std::string> prose_lines(const std::string& text) {
     return all;
 }
 
-/// What GitHub makes of a heading.
-std::string anchor(const std::string& heading) {
-    std::string out;
-    for (const char c : heading)
-        if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-')
-            out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        else if (c == ' ') out += '-';
-    return out;
-}
-
 std::set<std::string> anchors(const page& p) {
     std::set<std::string> all;
     for (const std::string& line : prose_lines(p.text))
@@ -128,6 +118,15 @@ std::vector<std::string> wrong_form(const page& p) {
 }
 
 }  // namespace
+
+std::string anchor(const std::string& heading) {
+    std::string out;
+    for (const char c : heading)
+        if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-')
+            out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (c == ' ') out += '-';
+    return out;
+}
 
 std::vector<page> pages(const fs::path& root) {
     std::vector<page> all;

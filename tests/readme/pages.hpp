@@ -17,6 +17,9 @@ struct page {
 /// Every Markdown file of the project, in the order of the paths; none of build folders or hidden ones.
 [[nodiscard]] std::vector<page> pages(const std::filesystem::path& root);
 
+/// What GitHub makes of a heading.
+[[nodiscard]] std::string anchor(const std::string& heading);
+
 /// Relative links to files or headings that do not exist, and pages that are more than two links from README.md.
 [[nodiscard]] std::vector<std::string> wrong_links(const std::vector<page>& all, const std::filesystem::path& root);
 
