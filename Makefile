@@ -57,8 +57,10 @@ $(call install,$(bench_packages))
     -D UMBRAGE_BENCH_OUTPUT=$(CURDIR)/build
 endef
 
-# What drives the browser, for the tests in WebGL; and two compilers of WGSL, Tint in Dawn and naga.
-node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0
+# What drives the browser, for the tests in WebGL; two compilers of WGSL, Tint in Dawn and naga; bundlers and TypeScript,
+# of versions that run on Debian's Node 18, for the npm package.
+node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0 \
+    esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
 define from_npm
 @for module in $(node_modules); do \
     test -d build/node_modules/$${module%@*} \

@@ -1,102 +1,22 @@
-// umbrage 0.1.0, MIT License. Types of umbrage.mjs.
+// umbrage 0.1.0, MIT License. Types of the texts in one language.
+import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, SnippetOf, Texture, WithReversed } from './module/types.mjs';
 
-/** How exactly a text and the C++ functions of its names agree: a to the bit, b to the bit in written order and
- *  elsewhere within n 2^-23 S (n is `operations`, S the formula with magnitudes), c within that bound or `within`. */
-export type Exactness = 'a' | 'b' | 'c';
-
-/** One function, as text, and what is known of it. */
-export interface Snippet {
-    readonly name: string;
-    readonly summary: string;
-    /** The worst tier of what it holds and needs, unbound. */
-    readonly exactness: Exactness;
-    readonly operations: number;
-    readonly within: number;
-    /** `within` holds in written order alone. */
-    readonly as_written: boolean;
-    readonly lowest: '100' | '300 es';
-    readonly needs: readonly Snippet[];
-}
-
-/** What a map's texels lie in. */
-export type Texture =
-    'texture_2d' | 'atlas' | 'array' | 'cube' | 'cube_faces' | 'integer' | 'depth' | 'depth_array' | 'shadow' | 'shadow_array';
-
-/** A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language. */
-export interface Binding {
-    texture?: Texture;
-    direction?: 'forward' | 'reversed';
-    /** Outside the map texels count as the far plane, lit, or as the nearest ones inside. Left out: bordered, but
-     *  clamped for tiles, regions and faces of cubes. */
-    outside?: 'bordered' | 'clamped';
-    /** 2x2 texels at once; the sampler must clamp to the edge, but for regions. */
-    gather?: boolean;
-    /** Of `value`, four floats, as "umbrage_decode_rg11(value.xy, 1.0)"; else value.x. Where nothing is gathered
-     *  also of `texel`, two floats, the number that was asked for. */
-    depth?: string;
-    /** How many components of `value` it reads. */
-    channels?: number;
-    /** Of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Left out: by direction. With one's own
-     *  no receiver is beyond the far plane. */
-    compare?: string;
-    /** Moves each depth along the receiver's plane: functions take the plane's slope and the receiver's coordinate, two
-     *  floats each, behind the map. Not where texels are gathered or compared by the sampler. */
-    receiver_plane?: boolean;
-    /** The map's first texel in the texture: two floats. */
-    origin?: string;
-    /** For regions of textures that are read by coordinates: two floats. */
-    texture_size?: string;
-    /** In place of the texture's: what stands for the map in declarations, in calls, and a texel `at`. */
-    parameters?: string;
-    arguments?: string;
-    texel?: string;
-    /** What these texts call. */
-    needs?: readonly Snippet[];
-}
-
-/** A map of texels in an encoding, and how they come about: without blending, of one sample, in a target that is not sRGB. */
-export interface Encoding extends Readonly<Binding> {
-    /** What makes a texel of a depth. */
-    readonly writer: Snippet;
-    /** What it returns: a depth for a float target; integer channels, of which to_unorm makes values; values for a UNORM
-     *  target. */
-    readonly writes: 'depth' | 'integers' | 'values';
-    /** Of integer channels: what makes them the values to write. */
-    readonly to_unorm?: Snippet;
-    /** The target's format, as OpenGL calls it: RG8, R16, RGB10_A2, ... */
-    readonly format: string;
-    /** What the target is cleared to: where nothing is drawn all is lit. Channels that the texel lacks are 0. */
-    readonly cleared: readonly [number, number, number, number];
-}
-
-export interface Bound {
-    readonly what: Snippet;
-    readonly suffix: string;
-}
-
-export type Version =
-    '100' | '110' | '120' | '130' | '150' | '300 es' | '310 es' | '320 es' | '330' | '430' | '450' | '460';
-
-export interface Language {
-    text(items: readonly (Snippet | Bound)[]): string;
-}
-/** GLSL, whose texts may be for one version. */
-export interface VersionedLanguage {
-    text(items: readonly (Snippet | Bound)[], version?: Version): string;
-}
-
-export const versions: readonly Version[];
-export const snippets: Readonly<Record<string, Snippet>>;
-/** The maps that texels of the library's encodings make. */
-export const encodings: Readonly<Record<'depth32f' | 'rg9' | 'rg10' | 'rg11' | 'rg12' | 'rg13' | 'rg14' | 'rg15' | 'rg16' | 'rgb24' | 'rgb10' | 'r16' | 'float_bits' | 'threejs_rgba' | 'threejs_rgb' | 'threejs_rg' | 'threejs_legacy' | 'threejs_legacy_repaired' | 'base255' | 'base255_repaired', Encoding & { readonly reversed: Encoding }>>;
+export type { Exactness, Texture };
+export type Snippet = SnippetOf<'glsl'>;
+export type Binding = BindingOf<'glsl'>;
+export type Bound = BoundOf<'glsl'>;
+export type Encoding = WithReversed<EncodingOf<'glsl'>>;
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export function bind(what: Snippet, name: string, map?: Binding): Bound;
-/** True when the snippet, or the snippet bound to its map, compiles in a dialect of GLSL. */
-export function supports(item: Snippet | Bound, version: Version): boolean;
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
  *  binding says in the shader's own language has no tier. */
 export function exactness(items: readonly (Snippet | Bound)[]): Exactness;
+export type Version =
+    '100' | '110' | '120' | '130' | '150' | '300 es' | '310 es' | '320 es' | '330' | '430' | '450' | '460';
+export const versions: readonly Version[];
+/** True when the snippet, or the snippet bound to its map, compiles in a dialect of GLSL. */
+export function supports(item: Snippet | Bound, version: Version): boolean;
 /** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. A preamble brings `precise` to
  *  310 es by `#extension GL_EXT_gpu_shader5 : require` and `#define UMBRAGE_PRECISE precise`. */
 export function source(version: Version, items: readonly (Snippet | Bound)[], preamble?: string): string;
@@ -104,10 +24,50 @@ export function source(version: Version, items: readonly (Snippet | Bound)[], pr
  *  preprocessors do not know __VERSION__. */
 export function text(items: readonly (Snippet | Bound)[], version?: Version): string;
 
-export const glsl: VersionedLanguage;
-export const hlsl: Language;
-export const msl: Language;
-export const wgsl: Language;
+/** All of them by name, for tools that walk them. */
+export const snippets: Readonly<Record<string, Snippet>>;
+export const encodings: Readonly<Record<EncodingName, Encoding>>;
+
+/** A float texture: nothing to encode. */
+export const depth32f: Encoding;
+/** Two channels: R the low byte, G the rest in its high bits. */
+export const rg9: Encoding;
+/** Two channels: R the low byte, G the rest in its high bits. */
+export const rg10: Encoding;
+/** Two channels: R the low byte, G the rest in its high bits. */
+export const rg11: Encoding;
+/** Two channels: R the low byte, G the rest in its high bits. */
+export const rg12: Encoding;
+/** Two channels: R the low byte, G the rest in its high bits. */
+export const rg13: Encoding;
+/** Two channels: R the low byte, G the rest in its high bits. */
+export const rg14: Encoding;
+/** Two channels: R the low byte, G the rest in its high bits. */
+export const rg15: Encoding;
+/** Two channels: R the low byte, G the rest in its high bits. */
+export const rg16: Encoding;
+/** Three channels, R most significant. */
+export const rgb24: Encoding;
+/** Three 10-bit channels of R10G10B10A2, R most significant. */
+export const rgb10: Encoding;
+/** One channel of 16 bits. */
+export const r16: Encoding;
+/** The bit pattern of the float itself, R least significant. */
+export const float_bits: Encoding;
+/** RGBA of three.js since r167: three whole bytes and the rest. */
+export const threejs_rgba: Encoding;
+/** RGB of three.js since r167: two whole bytes and the rest. */
+export const threejs_rgb: Encoding;
+/** RG of three.js since r167: one whole byte and the rest. */
+export const threejs_rg: Encoding;
+/** RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256. */
+export const threejs_legacy: Encoding;
+/** For readers of three.js r73 to r166, written without the fault. */
+export const threejs_legacy_repaired: Encoding;
+/** Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0. */
+export const base255: Encoding;
+/** For readers of base 255, written without the fault. */
+export const base255_repaired: Encoding;
 /** world to texels and depth, before the division */
 export const shadow_coordinate: Snippet;
 /** a tap's coordinate from the middle's, before the division */

@@ -9,7 +9,7 @@ import { pathToFileURL } from 'node:url';
 
 const [module_path, glslang, folder, node_modules] = process.argv.slice(2);
 const load = path => import(pathToFileURL(resolve(path)).href);
-const { bind, encodings, glsl, hard, level_rg11, pcf_2x2, snippets, supports } = await load(module_path);
+const { bind, encodings, hard, level_rg11, pcf_2x2, snippets, supports, text: glsl_text } = await load(module_path);
 const packages = { three: 'three@0.182', playcanvas: 'playcanvas@2.23', babylon: '@babylonjs/core@9.35' };
 mkdirSync(folder, { recursive: true });
 
@@ -57,11 +57,11 @@ const hosts = {
 const version = '300 es';
 const kinds = ['texture_2d', 'atlas', 'array', 'cube', 'cube_faces', 'integer', 'depth', 'depth_array', 'shadow', 'shadow_array'];
 const texts = {
-    'every snippet': glsl.text(Object.values(snippets).filter(s => supports(s, version) && !s.scaled), version),
-    'depths on a scale of their own': glsl.text(
+    'every snippet': glsl_text(Object.values(snippets).filter(s => supports(s, version) && !s.scaled), version),
+    'depths on a scale of their own': glsl_text(
         [bind(hard, 'a', { depth: 'umbrage_level_rg11(value.xy)', channels: 2, needs: [level_rg11] })], version),
-    'every kind of map': glsl.text(kinds.map(texture => bind(pcf_2x2, texture, { texture })), version),
-    'every encoding': glsl.text(Object.entries(encodings).map(([name, map]) => bind(hard, `in_${name}`, map)), version),
+    'every kind of map': glsl_text(kinds.map(texture => bind(pcf_2x2, texture, { texture })), version),
+    'every encoding': glsl_text(Object.entries(encodings).map(([name, map]) => bind(hard, `in_${name}`, map)), version),
 };
 
 let tried = 0, failed = 0;

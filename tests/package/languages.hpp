@@ -20,17 +20,17 @@ namespace package {
 namespace glsl = umbrage::glsl;
 
 struct shader_language {
-    std::string_view name, extension;
+    std::string_view name, title, extension;
     const glsl::detail::language* words;
     std::string (*text)(const std::vector<glsl::bound>& items);
 };
 
 inline const std::array languages{
-    shader_language{"glsl", ".glsl", &glsl::detail::glsl_language<>,
+    shader_language{"glsl", "GLSL", ".glsl", &glsl::detail::glsl_language<>,
                     [](const std::vector<glsl::bound>& items) { return glsl::text(items); }},
-    shader_language{"hlsl", ".hlsl", &umbrage::hlsl::detail::language<>, umbrage::hlsl::text<>},
-    shader_language{"msl", ".metal", &umbrage::msl::detail::language<>, umbrage::msl::text<>},
-    shader_language{"wgsl", ".wgsl", &umbrage::wgsl::detail::language<>, umbrage::wgsl::text<>},
+    shader_language{"hlsl", "HLSL", ".hlsl", &umbrage::hlsl::detail::language<>, umbrage::hlsl::text<>},
+    shader_language{"msl", "MSL", ".metal", &umbrage::msl::detail::language<>, umbrage::msl::text<>},
+    shader_language{"wgsl", "WGSL", ".wgsl", &umbrage::wgsl::detail::language<>, umbrage::wgsl::text<>},
 };
 
 struct named_texture {
@@ -44,18 +44,22 @@ inline constexpr std::array textures{
     named_texture{"depth", glsl::texture::depth},           named_texture{"depth_array", glsl::texture::depth_array},
     named_texture{"shadow", glsl::texture::shadow},         named_texture{"shadow_array", glsl::texture::shadow_array}};
 
-/// What a cleared map's channels are to a color attachment, four of them; of UNORM as "k / 255".
+/// A channel of a cleared map, value / most to a color attachment.
+struct cleared_channel {
+    long value = 0, most = 1;
+};
+
+/// What a cleared map's channels are, four of them.
 template <umbrage::known_encoding Encoding>
-[[nodiscard]] std::array<std::string, 4> cleared_channels(const Encoding& encoding) {
-    std::array<std::string, 4> channels{"0", "0", "0", "0"};
+[[nodiscard]] std::array<cleared_channel, 4> cleared_channels(const Encoding& encoding) {
+    std::array<cleared_channel, 4> channels{};
     using target = typename Encoding::target;
     const glm::vec4 values = target::load(encoding.cleared());
-    if constexpr (Encoding::writes == umbrage::store_format::depth) channels[0] = values.x > 0.5f ? "1" : "0";
-    else
-        for (int c = 0; c < target::channels; ++c) {
-            constexpr int most = (1 << target::bits) - 1;
-            channels[c] = std::to_string(std::lround(values[c] * most)) + " / " + std::to_string(most);
-        }
+    for (int c = 0; c < target::channels; ++c) {
+        long most = 1;
+        if constexpr (Encoding::writes != umbrage::store_format::depth) most = (1 << target::bits) - 1;
+        channels[static_cast<std::size_t>(c)] = {std::lround(values[c] * static_cast<float>(most)), most};
+    }
     return channels;
 }
 

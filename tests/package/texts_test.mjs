@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// The package's texts against C++'s, character for character:  node texts_test.mjs MODULE EXPECTED
+// The package's texts against C++'s, character for character:  node texts_test.mjs FOLDER EXPECTED
 import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const [module_path, expected] = process.argv.slice(2);
-const umbrage = await import(pathToFileURL(resolve(module_path)).href);
-const { snippets, bind, encodings, source } = umbrage;
+const [folder, expected] = process.argv.slice(2);
+const entries = { glsl: 'umbrage', hlsl: 'hlsl', msl: 'msl', wgsl: 'wgsl' }, umbrage = {};
+for (const [language, entry] of Object.entries(entries))
+    umbrage[language] = await import(pathToFileURL(resolve(folder, `${entry}.mjs`)).href);
+const { snippets, bind, encodings, source } = umbrage.glsl;
 
-const item = ({ what, name, map }) => map
+const item = ({ snippets, bind }) => ({ what, name, map }) => map
     ? bind(snippets[what], name, { ...map, needs: map.needs.map(need => snippets[need]) })
     : snippets[what];
 
@@ -18,7 +21,8 @@ const encoding_of = (name, reversed) => reversed ? encodings[name].reversed : en
 function made({ language, version, items, encoding, reversed }) {
     try {
         if (encoding) return umbrage.glsl.text([bind(snippets.hard, 'a', encoding_of(encoding, reversed))]);
-        return version ? source(version, items.map(item), '#define A') : umbrage[language].text(items.map(item));
+        const all = items.map(item(umbrage[language ?? 'glsl']));
+        return version ? source(version, all, '#define A') : umbrage[language].text(all);
     } catch (error) {
         if (!error.message.startsWith('umbrage: ')) throw error;
         return null;
@@ -32,12 +36,12 @@ for (const line of readFileSync(expected, 'utf8').trimEnd().split('\n')) {
     if (test.encoding) {
         const { writer, writes, cleared } = encoding_of(test.encoding, test.reversed);
         const same = writer === snippets[test.writer] && writes === test.writes && cleared.length === 4
-            && test.cleared.every((channel, i) => { const [n, d] = channel.split(' / '); return cleared[i] === n / (d ?? 1); });
+            && test.cleared.every(([value, most], i) => cleared[i] === value / most);
         if (!same) console.log(`encodings.${test.encoding}: ${writer.name} ${writes} ${cleared}`), ++different;
         names.delete(test.encoding);
     }
     counts[kind] = (counts[kind] ?? 0) + 1;
-    const tier = text !== null && test.exactness ? umbrage.exactness(test.items.map(item)) : test.exactness;
+    const tier = text !== null && test.exactness ? umbrage[test.language].exactness(test.items.map(item(umbrage[test.language]))) : test.exactness;
     if (tier !== test.exactness) console.log(`tier ${tier}, in C++ ${test.exactness}: ${JSON.stringify(test.items)}`), ++different;
     if (text === test.text) continue;
     if (++different > 3) continue;
@@ -49,32 +53,38 @@ for (const line of readFileSync(expected, 'utf8').trimEnd().split('\n')) {
 
 // One name for one thing, README says: of snippet, export, function and file; of encoding, key, writer and reader.
 const named = (good, what) => { if (!good) console.log(`named otherwise than the rule says: ${what}`), ++different; };
-for (const [name, snippet] of Object.entries(snippets)) {
-    named(snippet.name === name && umbrage[name] === snippet, `snippet ${name}`);
-    for (const language of ['glsl', 'hlsl', 'msl', 'wgsl'])
-        named(umbrage[language].text([snippet]).includes(` umbrage_${name}(`), `function ${name} in ${language}`);
+for (const [language, all] of Object.entries(umbrage)) {
+    for (const [name, snippet] of Object.entries(all.snippets)) {
+        named(snippet.name === name && all[name] === snippet, `snippet ${name}`);
+        named(all.text([snippet]).includes(` umbrage_${name}(`), `function ${name} in ${language}`);
+        named(all.text([snippet]).includes(snippet.text), `text of ${name} in ${language}`);
+    }
+    for (const [name, encoding] of Object.entries(all.encodings)) named(all[name] === encoding, `encoding ${name}`);
+    const others = Object.keys(all).filter(name => !(name in all.snippets) && !(name in all.encodings)).sort().join(' ');
+    named(others === (language === 'glsl' ? 'bind encodings exactness snippets source supports text versions'
+        : 'bind encodings exactness snippets text'), `exports of ${language}: ${others}`);
+    const required = createRequire(import.meta.url)(resolve(folder, `${entries[language]}.cjs`));
+    named(Object.keys(required).sort().join() === Object.keys(all).sort().join(), `exports of ${language} by require`);
+    named(required.text([required.bind(required.box, 'a', required.rg11)])
+        === all.text([all.bind(all.box, 'a', all.rg11)]), `text in ${language} by require`);
 }
 for (const [name, { writer, writes, reversed, depth }] of Object.entries(encodings).filter(([, e]) => e.writes !== 'depth')) {
     named(writer === reversed.writer && writer.name === (writes === 'values' ? 'write_' : 'encode_') + name, `writer of ${name}`);
     const reader = depth.match(/^umbrage_decode_(\w+)\(value/)?.[1];  // one reader for a format and its repaired writer
     named(reader !== undefined && name.startsWith(reader) && snippets[`decode_${reader}`], `reader of ${name}`);
 }
-const others = Object.keys(umbrage).filter(name => !(name in snippets)).sort().join(' ');
-named(others === 'bind encodings exactness glsl hlsl msl snippets source supports text versions wgsl', `exports ${others}`);
 
 if (names.size) console.log(`in C++ no encoding is named ${[...names]}`), ++different;
-const keys = readFileSync(module_path, 'utf8').match(/^export const encodings = {[^]*?^};/m)[0].match(/^    \w+(?=: {)/gm);
-if (new Set(keys).size !== keys.length) console.log(`encodings twice of one name: ${keys}`), ++different;
 
 // Bad input gets a clear answer, by name.
-const wrong = 'umbrage: bind: map must be an object; got undefined. Is it of a name that encodings does not have?';
+const wrong = 'umbrage: bind: map must be an object; got undefined. Is it of a name that no encoding has?';
 try { bind(snippets.hard, 'a', encodings.typo), ++different, console.log('undefined taken for a map'); } catch ({ message }) {
     if (message !== wrong) console.log(message), ++different;
 }
 for (const bad of [() => bind(snippets.hard, 'a b'), () => bind(undefined, 'a'), () => bind(snippets.hard), () => bind(snippets.hard, 'a', null),
     () => bind(snippets.hard, 'a', { needs: [undefined] }), () => bind(snippets.hard, 'a', { needs: ['hard'] }), () => bind(snippets.hard, '_a'), () => bind(snippets.hard, 'a', { texture: '3d' }),
     () => bind(snippets.hard, 'a', { size: 3 }), () => bind(snippets.hard, 'a', { outside: 'lit' }), () => bind(snippets.hard, 'a', { gather: 1 }), () => source('200', [snippets.hard]),
-    () => source('300 es', [undefined])]) {
+    () => source('300 es', [undefined]), () => source('300 es', [umbrage.wgsl.hard]), () => umbrage.msl.bind(snippets.hard, 'a')]) {
     let refused = false;
     try { bad(); } catch (error) { refused = error.message.startsWith('umbrage: '); }
     if (!refused) console.log(`taken without a word: ${bad}`), ++different;

@@ -97,7 +97,8 @@ void add(std::ostream& out, const shader_language& l, const std::vector<bound>& 
         for (const bound& item : items)
             (void)bind(item.what, item.suffix.substr(item.suffix.empty() ? 0 : 1), item.map);
         text = literal(l.text(items));
-        exactness = literal(std::string_view("abc").substr(static_cast<std::size_t>(glsl::exactness(items)), 1));
+        const glsl::tier worst = glsl::detail::composition<>(*l.words, items).worst().exactness;
+        exactness = literal(std::string_view("abc").substr(static_cast<std::size_t>(worst), 1));
     } catch (const std::invalid_argument&) {}
     out << "{\"language\":" << literal(l.name) << ",\"items\":" << json(items) << ",\"exactness\":" << exactness
         << ",\"text\":" << text << "}\n";
@@ -107,8 +108,8 @@ void add(std::ostream& out, const shader_language& l, const std::vector<bound>& 
 void add_encoding(std::ostream& out, const auto& encoding, bool reversed) {
     using type = std::decay_t<decltype(encoding)>;
     std::string cleared;
-    for (const std::string& channel : cleared_channels(encoding))
-        cleared += (cleared.empty() ? "" : ",") + literal(channel);
+    for (const cleared_channel& c : cleared_channels(encoding))
+        cleared += (cleared.empty() ? "[" : ",[") + std::to_string(c.value) + ',' + std::to_string(c.most) + ']';
     out << "{\"encoding\":" << literal(type::name) << ",\"reversed\":" << (reversed ? "true" : "false")
         << ",\"writer\":" << literal(type::writer->name) << ",\"writes\":" << literal(writes(encoding))
         << ",\"cleared\":[" << cleared

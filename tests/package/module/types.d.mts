@@ -1,11 +1,17 @@
-// umbrage @version@, MIT License. Types of umbrage.mjs.
+// umbrage @version@, MIT License. Types that all languages share.
+
+/** What a snippet's text is in; those of one language do not go with those of another. */
+export type Language = 'glsl' | 'hlsl' | 'msl' | 'wgsl';
 
 /** How exactly a text and the C++ functions of its names agree: a to the bit, b to the bit in written order and
  *  elsewhere within n 2^-23 S (n is `operations`, S the formula with magnitudes), c within that bound or `within`. */
 export type Exactness = 'a' | 'b' | 'c';
 
+declare const is_of: unique symbol;
+
 /** One function, as text, and what is known of it. */
-export interface Snippet {
+export interface SnippetOf<L extends Language> {
+    readonly [is_of]: L;
     readonly name: string;
     readonly summary: string;
     /** The worst tier of what it holds and needs, unbound. */
@@ -14,8 +20,11 @@ export interface Snippet {
     readonly within: number;
     /** `within` holds in written order alone. */
     readonly as_written: boolean;
+    /** The oldest GLSL that has it; every dialect where it is 100. */
     readonly lowest: '100' | '300 es';
-    readonly needs: readonly Snippet[];
+    readonly needs: readonly SnippetOf<L>[];
+    /** The function for a 2D texture of depths, without what it needs. */
+    readonly text: string;
 }
 
 /** What a map's texels lie in. */
@@ -23,7 +32,7 @@ export type Texture =
     'texture_2d' | 'atlas' | 'array' | 'cube' | 'cube_faces' | 'integer' | 'depth' | 'depth_array' | 'shadow' | 'shadow_array';
 
 /** A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language. */
-export interface Binding {
+export interface BindingOf<L extends Language> {
     texture?: Texture;
     direction?: 'forward' | 'reversed';
     /** Outside the map texels count as the far plane, lit, or as the nearest ones inside. Left out: bordered, but
@@ -51,57 +60,30 @@ export interface Binding {
     arguments?: string;
     texel?: string;
     /** What these texts call. */
-    needs?: readonly Snippet[];
+    needs?: readonly SnippetOf<L>[];
 }
 
 /** A map of texels in an encoding, and how they come about: without blending, of one sample, in a target that is not sRGB. */
-export interface Encoding extends Readonly<Binding> {
+export interface EncodingOf<L extends Language> extends Readonly<BindingOf<L>> {
     /** What makes a texel of a depth. */
-    readonly writer: Snippet;
+    readonly writer: SnippetOf<L>;
     /** What it returns: a depth for a float target; integer channels, of which to_unorm makes values; values for a UNORM
      *  target. */
     readonly writes: 'depth' | 'integers' | 'values';
     /** Of integer channels: what makes them the values to write. */
-    readonly to_unorm?: Snippet;
+    readonly to_unorm?: SnippetOf<L>;
     /** The target's format, as OpenGL calls it: RG8, R16, RGB10_A2, ... */
     readonly format: string;
     /** What the target is cleared to: where nothing is drawn all is lit. Channels that the texel lacks are 0. */
     readonly cleared: readonly [number, number, number, number];
 }
 
-export interface Bound {
-    readonly what: Snippet;
+/** An encoding of depths that are 0 at the far plane. */
+export type WithReversed<E> = E & { readonly reversed: E };
+
+export interface BoundOf<L extends Language> {
+    readonly what: SnippetOf<L>;
     readonly suffix: string;
 }
 
-export type Version =
-    '100' | '110' | '120' | '130' | '150' | '300 es' | '310 es' | '320 es' | '330' | '430' | '450' | '460';
-
-export interface Language {
-    text(items: readonly (Snippet | Bound)[]): string;
-}
-/** GLSL, whose texts may be for one version. */
-export interface VersionedLanguage {
-    text(items: readonly (Snippet | Bound)[], version?: Version): string;
-}
-
-export const versions: readonly Version[];
-export const snippets: Readonly<Record<string, Snippet>>;
-/** The maps that texels of the library's encodings make. */
-export const encodings: Readonly<Record<@encodings@, Encoding & { readonly reversed: Encoding }>>;
-
-/** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
-export function bind(what: Snippet, name: string, map?: Binding): Bound;
-/** True when the snippet, or the snippet bound to its map, compiles in a dialect of GLSL. */
-export function supports(item: Snippet | Bound, version: Version): boolean;
-/** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
- *  binding says in the shader's own language has no tier. */
-export function exactness(items: readonly (Snippet | Bound)[]): Exactness;
-/** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. A preamble brings `precise` to
- *  310 es by `#extension GL_EXT_gpu_shader5 : require` and `#define UMBRAGE_PRECISE precise`. */
-export function source(version: Version, items: readonly (Snippet | Bound)[], preamble?: string): string;
-/** A GLSL text of the snippets and all they need, to paste into any shader; or into one of the version, for engines whose
- *  preprocessors do not know __VERSION__. */
-export function text(items: readonly (Snippet | Bound)[], version?: Version): string;
-
-@names@
+export type EncodingName = @encodings@;

@@ -1,0 +1,93 @@
+// Snippets as one text: each once, after what it needs.
+//
+// A snippet is data of one language. bind() makes items of a snippet and a map; a snippet alone reads a 2D texture of
+// depths, as its text stands. Nothing here knows how a map fills texts in, so that programs without bind() do without.
+
+export const is_of_map = s => s.role !== 'none' || s.needs.some(is_of_map);
+
+const alone = what => ({ what, suffix: '', map_key: '', parts: [what], chosen: s => s, fill: s => s.text });
+
+/** An item as it is composed; refuses what is no item of the language. */
+export function as_item(language, item) {
+    const what = item?.what ?? item;
+    if (what?.language !== language)
+        throw new Error(`umbrage: text: items must be snippets of ${language.name}, bound or not; got `
+            + (what?.language ? `${what.name} of ${what.language.name}` : what));
+    return item === what ? alone(what) : item;
+}
+
+/** The items, no two of which share a name and differ in their maps. */
+function checked(language, items) {
+    items = items.map(item => as_item(language, item));
+    const of_map = items.filter(item => item.parts.some(is_of_map));
+    for (const item of of_map)
+        if (of_map.some(other => other.suffix === item.suffix && other.map_key !== item.map_key))
+            throw new Error(`umbrage: text: name must be another for each map; got "${item.suffix.slice(1)}" for two`);
+    return items;
+}
+
+/** Calls use(snippet, item, guard) for each part of a text, in order. What belongs to no map comes first. */
+function for_each_part(items, use) {
+    const done = new Map();
+    const add = (asked, item, of_map) => {
+        const s = item.chosen(asked);
+        for (const need of s.needs) add(need, item, of_map);
+        if (is_of_map(s) !== of_map) return;
+        const suffix = of_map ? item.suffix : '', guard = `UMBRAGE_HAS_${s.name}${suffix}`.toUpperCase(), before = done.get(guard);
+        if (before?.name === s.name && before.suffix === suffix) return;
+        if (before)
+            throw new Error('umbrage: text: names must keep functions apart, in capitals too; got '
+                + `umbrage_${before.name}${before.suffix} and umbrage_${s.name}${suffix}`);
+        use(s, item, guard);
+        done.set(guard, { name: s.name, suffix });
+    };
+    for (const of_map of [false, true])
+        for (const item of items)
+            for (const part of item.parts) add(part, item, of_map);
+}
+
+/** The worst promise of what a text of the items holds. */
+function worst_promise(items) {
+    const all = { exactness: 'a', operations: 0, within: 0, as_written: false };
+    for_each_part(items, s => {
+        for (const key in all) if (s[key] > all[key]) all[key] = s[key];
+    });
+    return all;
+}
+
+/** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
+export const exactness_in = (language, items) => worst_promise(checked(language, items)).exactness;
+
+function bound_in_words(s) {
+    if (s.within === 0) return `within ${s.operations} x 2^-23 x S of the exact result.`;
+    return `within 1/${1 / s.within} of C++`
+        + (s.as_written ? ' as written. Reordered: no bound, but a visibility is in [0, 1].' : '.');
+}
+
+/** Lines of comment that bound what each function returns; none for a text of tier A. */
+function bounds_note(items, may_reorder) {
+    const lines = new Set();
+    for (const item of items) {
+        const worst = worst_promise([item]);
+        if (worst.exactness !== 'a') lines.add(
+            `// ${item.what.name}${item.suffix}, tier ${worst.exactness.toUpperCase()}: ${bound_in_words(worst)}\n`);
+    }
+    const note = [...lines].join('');
+    if (note === '') return '';
+    return (may_reorder && `// ${may_reorder} lets compilers fuse or reorder sums.\n`) + note
+        + (note.includes(' x S ') ? '// S is the formula with the magnitude of every value and a plus for every minus.\n'
+            + '// Inside the bound, a comparison or floor may fall on either side.\n' : '');
+}
+
+/** The items and all they need, each once. What is known of a dialect stands in place of the language's own. */
+export function compose(language, items, { prelude, may_reorder } = language) {
+    items = checked(language, items);
+    const names = [...new Set(items.map(item => item.what.name + item.suffix))];
+    let text = `// umbrage 0.1.0, MIT License${names.length ? ': ' : ''}${names.join(', ')}\n`
+        + bounds_note(items, may_reorder) + prelude;
+    for_each_part(items, (s, item, guard) => {
+        const body = is_of_map(s) ? item.fill(s) : s.text;
+        text += language.preprocessor ? `\n#ifndef ${guard}\n#define ${guard}${body}#endif\n` : body;
+    });
+    return text;
+}

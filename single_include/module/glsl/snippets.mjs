@@ -1,0 +1,4112 @@
+import { language } from './language.mjs';
+
+export const shadow_coordinate = { language, name: "shadow_coordinate", summary: "world to texels and depth, before the division",
+    exactness: "b", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
+    return c;
+}
+` };
+
+export const tap_coordinate = { language, name: "tap_coordinate", summary: "a tap's coordinate from the middle's, before the division",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
+}
+` };
+
+export const project_coordinate = { language, name: "project_coordinate", summary: "the division by w, lit behind the light",
+    exactness: "c", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
+    UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
+}
+` };
+
+export const cascade_by_depth = { language, name: "cascade_by_depth", summary: "cascade that a view depth falls into",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
+//   ends  of the first three cascades, ascending
+UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
+    UMBRAGE_HIGHP int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
+    return float(reached);
+}
+` };
+
+export const cascade_column = { language, name: "cascade_column", summary: "one of four columns, without an index",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 low = number < 0.5 ? columns[0] : columns[1];
+    UMBRAGE_HIGHP vec4 high = number < 2.5 ? columns[2] : columns[3];
+    return number < 1.5 ? low : high;
+}
+` };
+
+export const cascade_column_8 = { language, name: "cascade_column_8", summary: "one of eight columns, without an index",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_column], text: `
+// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+UMBRAGE_HIGHP vec4 umbrage_cascade_column_8(UMBRAGE_HIGHP mat4 nearer, UMBRAGE_HIGHP mat4 farther,
+                                            UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 low = umbrage_cascade_column(nearer, number);
+    UMBRAGE_HIGHP vec4 high = umbrage_cascade_column(farther, number - 4.0);
+    return number < 3.5 ? low : high;
+}
+` };
+
+export const cascade_coordinate = { language, name: "cascade_coordinate", summary: "a point in the map of one cascade",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
+                                              UMBRAGE_HIGHP vec4 offset) {
+    UMBRAGE_HIGHP vec3 start = vec3(offset.x, offset.y, offset.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 at = light * vec3(scale.x, scale.y, scale.z) + start;
+    return at;
+}
+` };
+
+export const inside_cascade = { language, name: "inside_cascade", summary: "coordinates whose filter stays inside a cascade",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float reach) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 end = size - reach;
+    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
+    bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
+    return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
+}
+` };
+
+export const cascade_by_projection = { language, name: "cascade_by_projection", summary: "first cascade that holds a point and its filter",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_coordinate, inside_cascade], text: `
+// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
+//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's directions
+//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
+                                                 UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec2 size,
+                                                 UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec3 a = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
+    UMBRAGE_HIGHP vec3 b = umbrage_cascade_coordinate(light, scales[1], offsets[1]);
+    UMBRAGE_HIGHP vec3 c = umbrage_cascade_coordinate(light, scales[2], offsets[2]);
+    UMBRAGE_HIGHP vec3 d = umbrage_cascade_coordinate(light, scales[3], offsets[3]);
+    UMBRAGE_HIGHP vec4 found = vec4(65536.0, 65536.0, 0.0, 4.0);
+    found = umbrage_inside_cascade(d, size, reach) ? vec4(d, 3.0) : found;
+    found = umbrage_inside_cascade(c, size, reach) ? vec4(c, 2.0) : found;
+    found = umbrage_inside_cascade(b, size, reach) ? vec4(b, 1.0) : found;
+    return umbrage_inside_cascade(a, size, reach) ? vec4(a, 0.0) : found;
+}
+` };
+
+export const cascade_by_projection_8 = { language, name: "cascade_by_projection_8", summary: "first of eight cascades that holds a point and its filter",
+    exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_by_projection], text: `
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection_8(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
+                                                   UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
+                                                   UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec2 size,
+                                                   UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec4 nearer = umbrage_cascade_by_projection(light, scales, offsets, size, reach);
+    UMBRAGE_HIGHP vec4 farther = umbrage_cascade_by_projection(light, farther_scales, farther_offsets, size, reach);
+    return nearer.w < 3.5 ? nearer : vec4(farther.x, farther.y, farther.z, farther.w + 4.0);
+}
+` };
+
+export const cascade_tile = { language, name: "cascade_tile", summary: "first texel of a cascade in an atlas",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 size) {
+    UMBRAGE_HIGHP float row = floor(number * 0.5);
+    return vec2(number - row * 2.0, row) * size;
+}
+` };
+
+export const cascade_weight = { language, name: "cascade_weight", summary: "a weight in steps of 1/256",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
+    return steps * (1.0 / 256.0);
+}
+` };
+
+export const cascade_fade = { language, name: "cascade_fade", summary: "weight of the next cascade, by view depth",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_weight], text: `
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+UMBRAGE_HIGHP float umbrage_cascade_fade(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float scale,
+                                         UMBRAGE_HIGHP float offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = depth * scale + offset;
+    return umbrage_cascade_weight(v);
+}
+` };
+
+export const cascade_border_fade = { language, name: "cascade_border_fade", summary: "weight of the next cascade, by distance from the border",
+    exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_weight], text: `
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
+//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+UMBRAGE_HIGHP float umbrage_cascade_border_fade(UMBRAGE_HIGHP vec2 coordinate, UMBRAGE_HIGHP vec2 size,
+                                                UMBRAGE_HIGHP float reach, UMBRAGE_HIGHP float per_texel) {
+    UMBRAGE_HIGHP vec2 half_size = size * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 beyond = abs(coordinate - half_size) - (half_size - reach);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 v = beyond * per_texel + 1.0;
+    UMBRAGE_HIGHP float x = umbrage_cascade_weight(v.x);
+    UMBRAGE_HIGHP float y = umbrage_cascade_weight(v.y);
+    return x > y ? x : y;
+}
+` };
+
+export const blend_cascades = { language, name: "blend_cascades", summary: "two cascades' visibilities, mixed",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+UMBRAGE_HIGHP float umbrage_blend_cascades(UMBRAGE_HIGHP float nearer, UMBRAGE_HIGHP float farther,
+                                           UMBRAGE_HIGHP float weight) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = nearer + (farther - nearer) * weight;
+    return weight < 1.0 ? sum : farther;
+}
+` };
+
+export const inside_texel_space = { language, name: "inside_texel_space", summary: "coordinates a filter can take",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+` };
+
+export const dither_threshold = { language, name: "dither_threshold", summary: "one of 16 thresholds for a pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [inside_texel_space], text: `
+// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+UMBRAGE_HIGHP float umbrage_dither_threshold(UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 high = floor(whole * 0.5);
+    UMBRAGE_HIGHP vec2 above = floor(whole * 0.25);
+    UMBRAGE_HIGHP vec2 b0 = whole - high * 2.0;
+    UMBRAGE_HIGHP vec2 b1 = high - above * 2.0;
+    UMBRAGE_HIGHP float m = abs(b0.x - b0.y) * 8.0 + b0.y * 4.0 + abs(b1.x - b1.y) * 2.0 + b1.y;
+    return (m + 0.5) * (1.0 / 16.0);
+}
+` };
+
+export const dithered_cascade = { language, name: "dithered_cascade", summary: "a cascade, or by its weight the next one",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+UMBRAGE_HIGHP float umbrage_dithered_cascade(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float weight,
+                                             UMBRAGE_HIGHP float threshold) {
+    return number + (weight > threshold ? 1.0 : 0.0);
+}
+` };
+
+export const cube_face = { language, name: "cube_face", summary: "face of a cube that a direction meets",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 m = abs(direction);
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+` };
+
+export const cube_view_z = { language, name: "cube_view_z", summary: "distance along the axis of the face that a direction meets",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cube_face], text: `
+// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+UMBRAGE_HIGHP float umbrage_cube_view_z(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP float side = face < 1.5 ? direction.x : direction.y;
+    return abs(face > 3.5 ? direction.z : side);
+}
+` };
+
+export const cube_plane = { language, name: "cube_plane", summary: "a direction in its face's axes",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cube_face], text: `
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP vec3 x = vec3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    UMBRAGE_HIGHP vec3 y = vec3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    UMBRAGE_HIGHP vec3 z = vec3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+` };
+
+export const cube_point = { language, name: "cube_point", summary: "a point from a face's axes",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(p.z, -p.y, -p.x) : vec3(-p.z, -p.y, p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+` };
+
+export const cube_face_point = { language, name: "cube_face_point", summary: "a point in a face's axes",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cube_face_point: (sc, tc, distance along its axis) in a face, 0.0 to 5.0, of a point from the cube's middle
+UMBRAGE_HIGHP vec3 umbrage_cube_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(-p.z, -p.y, p.x) : vec3(p.z, -p.y, -p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+` };
+
+export const cube_coordinate = { language, name: "cube_coordinate", summary: "face, and where on it, that a direction meets",
+    exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cube_view_z, cube_plane], text: `
+// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(direction);
+    UMBRAGE_HIGHP float m = umbrage_cube_view_z(direction);
+    return vec3((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
+}
+` };
+
+export const cube_direction = { language, name: "cube_direction", summary: "direction to a point of a cube's face",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cube_point], text: `
+// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 uv = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    return umbrage_cube_point(face, vec3(uv, 1.0));
+}
+` };
+
+export const cube_neighbor = { language, name: "cube_neighbor", summary: "texel beyond an edge of a cube's face",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cube_plane, cube_point], text: `
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+UMBRAGE_HIGHP vec3 umbrage_cube_neighbor(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
+    bool beyond_u = abs(uv.x) > size;
+    bool beyond_v = abs(uv.y) > size;
+    UMBRAGE_HIGHP float m = beyond_u || beyond_v ? size - 1.0 : size;
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(umbrage_cube_point(texel.z, vec3(uv, m)));
+    UMBRAGE_HIGHP vec2 inside = (vec2(p.x, p.y) + (size - 1.0)) * 0.5;
+    return beyond_u && beyond_v ? vec3(0.0, 0.0, -1.0) : vec3(inside, p.z);
+}
+` };
+
+export const cube_tile = { language, name: "cube_tile", summary: "first texel of a face in an atlas",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
+    return vec2((face - row * 3.0) * size, row * size);
+}
+` };
+
+export const cube_atlas_texel = { language, name: "cube_atlas_texel", summary: "face that a texel of an atlas belongs to, and where on it",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
+UMBRAGE_HIGHP vec3 umbrage_cube_atlas_texel(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float column = texel.x < size ? 0.0 : (texel.x < size * 2.0 ? 1.0 : 2.0);
+    UMBRAGE_HIGHP float row = texel.y < size ? 0.0 : 1.0;
+    return vec3(texel - vec2(column, row) * size, column + row * 3.0);
+}
+` };
+
+export const cube_atlas_direction = { language, name: "cube_atlas_direction", summary: "direction that reads an atlas' texel from a texture of a cube",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cube_atlas_texel, cube_point], text: `
+// umbrage_cube_atlas_direction: from a cube's middle to that of a texel of an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec3 umbrage_cube_atlas_direction(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec3 part = umbrage_cube_atlas_texel(texel, size);
+    UMBRAGE_HIGHP vec2 uv = vec2(part.x, part.y) * 2.0 + (1.0 - size);
+    return umbrage_cube_point(part.z, vec3(uv, size));
+}
+` };
+
+export const dual_paraboloid_coordinate = { language, name: "dual_paraboloid_coordinate", summary: "paraboloid map, and where in it, that sees a direction",
+    exactness: "c", operations: 32, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
+UMBRAGE_HIGHP vec3 umbrage_dual_paraboloid_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square =
+        direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    bool behind = direction.z < 0.0;
+    UMBRAGE_HIGHP float m = sqrt(square) + (behind ? -direction.z : direction.z);
+    UMBRAGE_HIGHP float x = behind ? direction.x : -direction.x;
+    return vec3((x + m) / (m + m), (direction.y + m) / (m + m), behind ? 1.0 : 0.0);
+}
+` };
+
+export const dual_paraboloid_position = { language, name: "dual_paraboloid_position", summary: "a vertex of a paraboloid map's depth pass",
+    exactness: "c", operations: 18, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
+//   direction  from the light to the vertex;   map  0.0 or 1.0
+UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP float map) {
+    bool behind = map > 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square =
+        direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    UMBRAGE_HIGHP float distance_to = sqrt(square);
+    UMBRAGE_HIGHP float w = distance_to + (behind ? -direction.z : direction.z);
+    return vec4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
+}
+` };
+
+export const tetrahedron_face = { language, name: "tetrahedron_face", summary: "face of a tetrahedron that a direction meets",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float beside = abs(direction.z) - abs(direction.x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float up = direction.y * 1.414213562;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 3.0 : 2.0;
+    return beside >= up ? z : x;
+}
+` };
+
+export const tetrahedron_face_point = { language, name: "tetrahedron_face_point", summary: "a direction in the axes of a tetrahedron's face",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 d) {
+    UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
+    UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+` };
+
+export const tetrahedron_plane = { language, name: "tetrahedron_plane", summary: "a direction in its tetrahedron face's axes",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [tetrahedron_face, tetrahedron_face_point], text: `
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
+    return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
+}
+` };
+
+export const tetrahedron_view_z = { language, name: "tetrahedron_view_z", summary: "distance along the normal of the tetrahedron's face that a direction meets",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [tetrahedron_plane], text: `
+// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+UMBRAGE_HIGHP float umbrage_tetrahedron_view_z(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 p = umbrage_tetrahedron_plane(direction);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = p.z * 0.816496581 + p.y * -0.577350269;
+    return z;
+}
+` };
+
+export const tetrahedron_coordinate = { language, name: "tetrahedron_coordinate", summary: "face of a tetrahedron, and where on it, that a direction meets",
+    exactness: "c", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [tetrahedron_face, tetrahedron_plane], text: `
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 p = umbrage_tetrahedron_plane(direction);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = p.z * 2.0 + p.y * -1.414213562;
+    return vec3(p.x / d, p.z / d, umbrage_tetrahedron_face(direction));
+}
+` };
+
+export const tetrahedron_turned = { language, name: "tetrahedron_turned", summary: "a vector of a tetrahedron's first face on another face's side of the map",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+UMBRAGE_HIGHP vec2 umbrage_tetrahedron_turned(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 v) {
+    UMBRAGE_HIGHP vec2 z = face < 0.5 ? v : vec2(-v.x, -v.y);
+    UMBRAGE_HIGHP vec2 x = face < 2.5 ? vec2(-v.y, v.x) : vec2(v.y, -v.x);
+    return face < 1.5 ? z : x;
+}
+` };
+
+export const tetrahedron_texel = { language, name: "tetrahedron_texel", summary: "a point of a tetrahedron's face in the map",
+    exactness: "b", operations: 9, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [tetrahedron_turned], text: `
+// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
+//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+UMBRAGE_HIGHP vec2 umbrage_tetrahedron_texel(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP float size,
+                                             UMBRAGE_HIGHP float border) {
+    UMBRAGE_HIGHP float half_size = size * 0.5;
+    UMBRAGE_HIGHP float scale = half_size - border * 3.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = at.x * scale;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = at.y * scale + (border - half_size);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = umbrage_tetrahedron_turned(at.z, vec2(x, y)) + half_size;
+    return texel;
+}
+` };
+
+export const tetrahedron_face_of = { language, name: "tetrahedron_face_of", summary: "face of a tetrahedron that a texel belongs to",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_tetrahedron_face_of: the face, 0.0 to 3.0, whose triangle in a map of size texels a texel lies in
+UMBRAGE_HIGHP float umbrage_tetrahedron_face_of(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec2 off = texel * 2.0 + (1.0 - size);
+    UMBRAGE_HIGHP float column = off.y < 0.0 ? 0.0 : 1.0;
+    UMBRAGE_HIGHP float row = off.x < 0.0 ? 3.0 : 2.0;
+    return abs(off.y) >= abs(off.x) ? column : row;
+}
+` };
+
+export const pancake = { language, name: "pancake", summary: "casters before the near plane, onto it",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
+//   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
+UMBRAGE_HIGHP vec4 umbrage_pancake(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;
+    bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
+    return vec4(position.x, position.y, before ? plane : position.z, position.w);
+}
+` };
+
+export const texel = { language, name: "texel", summary: "texel inside a map",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "texel", scaled: false,
+    needs: [], text: `
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+` };
+
+export const from_unorm = { language, name: "from_unorm", summary: "value read from an 8-bit texture to channel 0..255",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+` };
+
+export const page_coordinate = { language, name: "page_coordinate", summary: "a receiver in the page of an atlas that holds it",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [texel, from_unorm], text: `
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
+//   page, gutter  side of a page and what it has around it, texels
+UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP vec2 size,
+                                           UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float page,
+                                           UMBRAGE_HIGHP float gutter) {
+    // not negative already; compilers cannot regroup sums across max and clamp
+    UMBRAGE_HIGHP vec2 sides = max(size - 2.0, vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 before = max(size - 3.0, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * sides - before), size - 1.0);
+    UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // of a NaN the first
+    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, vec2(texel)));
+    UMBRAGE_HIGHP vec2 slot = vec2(entry.x, entry.y);
+    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec2 within = clamp(fract(coord * across), vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    return vec4(at, slot * (page + gutter * 2.0));
+}
+` };
+
+export const linear_depth = { language, name: "linear_depth", summary: "view-space z over z_far",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
+    return z_view * inv_z_far;
+}
+` };
+
+export const project_depth = { language, name: "project_depth", summary: "z / w, far behind the light",
+    exactness: "c", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w, UMBRAGE_HIGHP float cleared) {
+    return w > 0.0 ? z / w : cleared;
+}
+` };
+
+export const distance_depth = { language, name: "distance_depth", summary: "distance to the light over its range",
+    exactness: "c", operations: 9, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+UMBRAGE_HIGHP float umbrage_distance_depth(UMBRAGE_HIGHP vec3 to_point, UMBRAGE_HIGHP float inv_range) {
+    return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
+}
+` };
+
+export const reverse_depth = { language, name: "reverse_depth", summary: "1 - depth",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+UMBRAGE_HIGHP float umbrage_reverse_depth(UMBRAGE_HIGHP float depth) {
+    return 1.0 - depth;
+}
+` };
+
+export const depth_from_ndc = { language, name: "depth_from_ndc", summary: "z/w in [-1, 1] to depth in [0, 1]",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
+UMBRAGE_HIGHP float umbrage_depth_from_ndc(UMBRAGE_HIGHP float ndc) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ndc * 0.5 + 0.5;
+    return depth;
+}
+` };
+
+export const view_z_from_depth = { language, name: "view_z_from_depth", summary: "perspective depth to view-space z",
+    exactness: "c", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                              UMBRAGE_HIGHP float z_far) {
+    return z_near / (1.0 - depth * (1.0 - z_near / z_far));
+}
+` };
+
+export const depth_from_view_z = { language, name: "depth_from_view_z", summary: "view-space z to perspective depth",
+    exactness: "c", operations: 10, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                              UMBRAGE_HIGHP float z_far) {
+    return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
+}
+` };
+
+export const view_z_from_reversed_depth = { language, name: "view_z_from_reversed_depth", summary: "reversed perspective depth to view-space z",
+    exactness: "c", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+UMBRAGE_HIGHP float umbrage_view_z_from_reversed_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                                       UMBRAGE_HIGHP float z_far) {
+    return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
+}
+` };
+
+export const reversed_depth_from_view_z = { language, name: "reversed_depth_from_view_z", summary: "view-space z to reversed perspective depth",
+    exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+UMBRAGE_HIGHP float umbrage_reversed_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                                       UMBRAGE_HIGHP float z_far) {
+    return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
+}
+` };
+
+export const view_z_from_orthographic_depth = { language, name: "view_z_from_orthographic_depth", summary: "orthographic depth to view-space z",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
+// axis; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_view_z_from_orthographic_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z_view = z_near + depth * (z_far - z_near);
+    return z_view;
+}
+` };
+
+export const orthographic_depth_from_view_z = { language, name: "orthographic_depth_from_view_z", summary: "view-space z to orthographic depth",
+    exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+` };
+
+export const cleared_depth = { language, name: "cleared_depth", summary: "depth of the far plane",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "cleared_depth", scaled: false,
+    needs: [], text: `
+// umbrage_cleared_depth: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+    return 1.0;
+}
+` };
+
+export const saturate = { language, name: "saturate", summary: "clamp to [0, 1], NaN to far",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+` };
+
+export const correct_quotient = { language, name: "correct_quotient", summary: "a quotient of whole numbers, from one at most one off",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    UMBRAGE_HIGHP float more = q + 1.0;
+    UMBRAGE_HIGHP float known = more * b <= a ? more : q;
+    return q * b > a ? q - 1.0 : known;
+}
+` };
+
+export const floor_divide = { language, name: "floor_divide", summary: "whole numbers divided and rounded down, whatever the division's error",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [correct_quotient], text: `
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    return umbrage_correct_quotient(floor(a / b), a, b);
+}
+` };
+
+export const to_unorm = { language, name: "to_unorm", summary: "channel 0..255 to the value an 8-bit target stores as it",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
+UMBRAGE_HIGHP float umbrage_to_unorm(UMBRAGE_HIGHP float k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm(UMBRAGE_HIGHP vec2 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+` };
+
+export const to_unorm10 = { language, name: "to_unorm10", summary: "channel 0..1023 to the value a 10-bit target stores as it",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// k * 4099 / 4194304 + 1056 / 4194304
+UMBRAGE_HIGHP float umbrage_to_unorm10(UMBRAGE_HIGHP float k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm10(UMBRAGE_HIGHP vec2 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm10(UMBRAGE_HIGHP vec3 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm10(UMBRAGE_HIGHP vec4 k) {
+    return k * 0.0009772777557373046875 + 0.00025177001953125;
+}
+` };
+
+export const from_unorm10 = { language, name: "from_unorm10", summary: "value read from a 10-bit texture to channel 0..1023",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+UMBRAGE_HIGHP float umbrage_from_unorm10(UMBRAGE_HIGHP float c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm10(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm10(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm10(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 1023.0 + 0.5);
+}
+` };
+
+export const to_unorm16 = { language, name: "to_unorm16", summary: "channel 0..65535 to the value a 16-bit target stores as it",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+UMBRAGE_HIGHP float umbrage_to_unorm16(UMBRAGE_HIGHP float k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm16(UMBRAGE_HIGHP vec2 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm16(UMBRAGE_HIGHP vec3 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm16(UMBRAGE_HIGHP vec4 k) {
+    return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
+}
+` };
+
+export const from_unorm16 = { language, name: "from_unorm16", summary: "value read from a 16-bit texture to channel 0..65535",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+UMBRAGE_HIGHP float umbrage_from_unorm16(UMBRAGE_HIGHP float c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm16(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm16(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm16(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 65535.0 + 0.5);
+}
+` };
+
+export const encode_rg9 = { language, name: "encode_rg9", summary: "depth to two channels, R the low byte",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg9(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 512.0), 511.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 128.0);
+}
+` };
+
+export const encode_rg10 = { language, name: "encode_rg10", summary: "depth to two channels, R the low byte",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rg10: depth to the two channels of a 10-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg10(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 64.0);
+}
+` };
+
+export const encode_rg11 = { language, name: "encode_rg11", summary: "depth to two channels, R the low byte",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rg11: depth to the two channels of a 11-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg11(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 32.0);
+}
+` };
+
+export const encode_rg12 = { language, name: "encode_rg12", summary: "depth to two channels, R the low byte",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rg12: depth to the two channels of a 12-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg12(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 16.0);
+}
+` };
+
+export const encode_rg13 = { language, name: "encode_rg13", summary: "depth to two channels, R the low byte",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rg13: depth to the two channels of a 13-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg13(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 8.0);
+}
+` };
+
+export const encode_rg14 = { language, name: "encode_rg14", summary: "depth to two channels, R the low byte",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rg14: depth to the two channels of a 14-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg14(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 4.0);
+}
+` };
+
+export const encode_rg15 = { language, name: "encode_rg15", summary: "depth to two channels, R the low byte",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rg15: depth to the two channels of a 15-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg15(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 2.0);
+}
+` };
+
+export const encode_rg16 = { language, name: "encode_rg16", summary: "depth to two channels, R the low byte",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rg16: depth to the two channels of a 16-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg16(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 1.0);
+}
+` };
+
+export const encode_rgb24 = { language, name: "encode_rgb24", summary: "depth to three channels, R most significant",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return vec3(high, middle, min(rest - middle * 256.0, 255.0));  // below already: no sum is regrouped across the min
+}
+` };
+
+export const encode_rgb10 = { language, name: "encode_rgb10", summary: "depth to three 10-bit channels, R most significant",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
+// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec3 umbrage_encode_rgb10(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float rest = x - high * 16384.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 16.0));
+    UMBRAGE_HIGHP float low = min(rest - middle * 16.0, 15.0);  // below already: no sum is regrouped across the min
+    return vec3(high, middle, low * 64.0);
+}
+` };
+
+export const encode_r16 = { language, name: "encode_r16", summary: "depth to one channel of 16 bits",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP float umbrage_encode_r16(UMBRAGE_HIGHP float depth) {
+    return min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+}
+` };
+
+export const encode_float_bits = { language, name: "encode_float_bits", summary: "any float's bit pattern to four channels, R least significant",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "300 es", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
+    return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
+}
+` };
+
+export const write_threejs_rgba = { language, name: "write_threejs_rgba", summary: "depth to three.js RGBA, r167 and later",
+    exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 16777216.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = whole - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    UMBRAGE_HIGHP float low = rest - middle * 256.0;
+    UMBRAGE_HIGHP vec4 c = vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec4(1.0, 1.0, 1.0, 1.0);
+}
+` };
+
+export const write_threejs_rgb = { language, name: "write_threejs_rgb", summary: "depth to three.js RGB, r167 and later",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 65536.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec3 c = vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec3(1.0, 1.0, 1.0);
+}
+` };
+
+export const write_threejs_rg = { language, name: "write_threejs_rg", summary: "depth to three.js RG, r167 and later",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 256.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    return v < 1.0 ? vec2(whole * 0.00392156886, x - whole) : vec2(1.0, 1.0);
+}
+` };
+
+export const write_threejs_legacy = { language, name: "write_threejs_legacy", summary: "depth to three.js RGBA, r73 to r166",
+    exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 16777216.0 - floor(v * 16777216.0);
+    UMBRAGE_HIGHP float y = v * 65536.0 - floor(v * 65536.0);
+    UMBRAGE_HIGHP float z = v * 256.0 - floor(v * 256.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = vec4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}
+` };
+
+export const encode_threejs_legacy_repaired = { language, name: "encode_threejs_legacy_repaired", summary: "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = floor(v * 16777216.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    UMBRAGE_HIGHP float low = min(rest - middle * 256.0, 255.0);  // below already: no sum is regrouped across the min
+    return v < 1.0 ? vec4(0.0, low, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
+}
+` };
+
+export const write_base255 = { language, name: "write_base255", summary: "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
+    exactness: "b", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c =
+        vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+` };
+
+export const encode_base255_repaired = { language, name: "encode_base255_repaired", summary: "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
+    exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = umbrage_saturate(depth) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (x - floor(x)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (y - floor(y)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
+    return vec4(floor(x), floor(y), floor(z), floor(w));
+}
+` };
+
+export const fetch_clamped = { language, name: "fetch_clamped", summary: "texel of a map, outside the nearest one inside",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [texel], text: `
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                         UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+` };
+
+export const encode_rg9_table = { language, name: "encode_rg9_table", summary: "depth to two channels through a look-up texture",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, from_unorm, fetch_clamped], text: `
+// umbrage_encode_rg9_table: depth to the two channels of a 9-bit code through a look-up table, whole numbers 0..255
+//   table   512 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg9_table(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 512.0), 511.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 512.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 512.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(512.0, 1.0), texel));
+    return vec2(k.x, k.y);
+}
+` };
+
+export const encode_rg10_table = { language, name: "encode_rg10_table", summary: "depth to two channels through a look-up texture",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, from_unorm, fetch_clamped], text: `
+// umbrage_encode_rg10_table: depth to the two channels of a 10-bit code through a look-up table, whole numbers 0..255
+//   table   1024 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg10_table(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 1024.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(1024.0, 1.0), texel));
+    return vec2(k.x, k.y);
+}
+` };
+
+export const encode_rg11_table = { language, name: "encode_rg11_table", summary: "depth to two channels through a look-up texture",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, from_unorm, fetch_clamped], text: `
+// umbrage_encode_rg11_table: depth to the two channels of a 11-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg11_table(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 1.0), texel));
+    return vec2(k.x, k.y);
+}
+` };
+
+export const encode_rg12_table = { language, name: "encode_rg12_table", summary: "depth to two channels through a look-up texture",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, from_unorm, fetch_clamped], text: `
+// umbrage_encode_rg12_table: depth to the two channels of a 12-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 2 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg12_table(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 2.0), texel));
+    return vec2(k.x, k.y);
+}
+` };
+
+export const encode_rg13_table = { language, name: "encode_rg13_table", summary: "depth to two channels through a look-up texture",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, from_unorm, fetch_clamped], text: `
+// umbrage_encode_rg13_table: depth to the two channels of a 13-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 4 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg13_table(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 4.0), texel));
+    return vec2(k.x, k.y);
+}
+` };
+
+export const encode_rg14_table = { language, name: "encode_rg14_table", summary: "depth to two channels through a look-up texture",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, from_unorm, fetch_clamped], text: `
+// umbrage_encode_rg14_table: depth to the two channels of a 14-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 8 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg14_table(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 8.0), texel));
+    return vec2(k.x, k.y);
+}
+` };
+
+export const encode_rg15_table = { language, name: "encode_rg15_table", summary: "depth to two channels through a look-up texture",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, from_unorm, fetch_clamped], text: `
+// umbrage_encode_rg15_table: depth to the two channels of a 15-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 16 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg15_table(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 16.0), texel));
+    return vec2(k.x, k.y);
+}
+` };
+
+export const encode_rg16_table = { language, name: "encode_rg16_table", summary: "depth to two channels through a look-up texture",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, from_unorm, fetch_clamped], text: `
+// umbrage_encode_rg16_table: depth to the two channels of a 16-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 32 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg16_table(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 32.0), texel));
+    return vec2(k.x, k.y);
+}
+` };
+
+export const decode_rg9 = { language, name: "decode_rg9", summary: "two channels, R the low byte, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm], text: `
+// umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg9(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
+}
+` };
+
+export const decode_rg10 = { language, name: "decode_rg10", summary: "two channels, R the low byte, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm], text: `
+// umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg10(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
+}
+` };
+
+export const decode_rg11 = { language, name: "decode_rg11", summary: "two channels, R the low byte, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm], text: `
+// umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg11(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
+}
+` };
+
+export const decode_rg12 = { language, name: "decode_rg12", summary: "two channels, R the low byte, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm], text: `
+// umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg12(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
+}
+` };
+
+export const decode_rg13 = { language, name: "decode_rg13", summary: "two channels, R the low byte, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm], text: `
+// umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg13(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
+}
+` };
+
+export const decode_rg14 = { language, name: "decode_rg14", summary: "two channels, R the low byte, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm], text: `
+// umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg14(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
+}
+` };
+
+export const decode_rg15 = { language, name: "decode_rg15", summary: "two channels, R the low byte, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm], text: `
+// umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg15(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
+}
+` };
+
+export const decode_rg16 = { language, name: "decode_rg16", summary: "two channels, R the low byte, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm], text: `
+// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg16(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
+}
+` };
+
+export const decode_rgb24 = { language, name: "decode_rgb24", summary: "three channels, R most significant, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm], text: `
+// umbrage_decode_rgb24: three channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
+    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+` };
+
+export const decode_rgb10 = { language, name: "decode_rgb10", summary: "three 10-bit channels, R most significant, to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm10], text: `
+// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rgb10(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm10(c);
+    return ((k.x * 1024.0 + k.y) * 16.0 + floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);
+}
+` };
+
+export const decode_r16 = { language, name: "decode_r16", summary: "one channel of 16 bits to depth",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [from_unorm16], text: `
+// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_r16(UMBRAGE_HIGHP float c, UMBRAGE_HIGHP float edge) {
+    return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
+}
+` };
+
+export const decode_float_bits = { language, name: "decode_float_bits", summary: "four channels, R least significant, to the float they are",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "300 es", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint b = uint(umbrage_saturate(c.z) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
+    return uintBitsToFloat(r | (g << 8) | (b << 16) | (a << 24));
+}
+` };
+
+export const decode_threejs_rgba = { language, name: "decode_threejs_rgba", summary: "three.js RGBA, r167 and later, to depth",
+    exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) +
+                                                c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
+    return depth;
+}
+` };
+
+export const decode_threejs_rgb = { language, name: "decode_threejs_rgb", summary: "three.js RGB, r167 and later, to depth",
+    exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
+    return depth;
+}
+` };
+
+export const decode_threejs_rg = { language, name: "decode_threejs_rg", summary: "three.js RG, r167 and later, to depth",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
+    return depth;
+}
+` };
+
+export const decode_threejs_legacy = { language, name: "decode_threejs_legacy", summary: "three.js RGBA, r73 to r166, to depth",
+    exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) +
+                                                c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
+    return depth;
+}
+` };
+
+export const decode_base255 = { language, name: "decode_base255", summary: "base-255 RGBA to depth",
+    exactness: "b", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+` };
+
+export const level_rg9 = { language, name: "level_rg9", summary: "two channels to a level to compare with",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [], text: `
+// umbrage_level_rg9: two channels of a 9-bit code, as sampled, to the scale of umbrage_receiver_rg9, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg9(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 2.0;  // an exact product: fused or not, it rounds once
+}
+` };
+
+export const level_rg10 = { language, name: "level_rg10", summary: "two channels to a level to compare with",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [], text: `
+// umbrage_level_rg10: two channels of a 10-bit code, as sampled, to the scale of umbrage_receiver_rg10, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg10(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 4.0;  // an exact product: fused or not, it rounds once
+}
+` };
+
+export const level_rg11 = { language, name: "level_rg11", summary: "two channels to a level to compare with",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [], text: `
+// umbrage_level_rg11: two channels of a 11-bit code, as sampled, to the scale of umbrage_receiver_rg11, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg11(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 8.0;  // an exact product: fused or not, it rounds once
+}
+` };
+
+export const level_rg12 = { language, name: "level_rg12", summary: "two channels to a level to compare with",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [], text: `
+// umbrage_level_rg12: two channels of a 12-bit code, as sampled, to the scale of umbrage_receiver_rg12, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg12(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 16.0;  // an exact product: fused or not, it rounds once
+}
+` };
+
+export const level_rg13 = { language, name: "level_rg13", summary: "two channels to a level to compare with",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [], text: `
+// umbrage_level_rg13: two channels of a 13-bit code, as sampled, to the scale of umbrage_receiver_rg13, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg13(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 32.0;  // an exact product: fused or not, it rounds once
+}
+` };
+
+export const level_rg14 = { language, name: "level_rg14", summary: "two channels to a level to compare with",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [], text: `
+// umbrage_level_rg14: two channels of a 14-bit code, as sampled, to the scale of umbrage_receiver_rg14, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg14(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 64.0;  // an exact product: fused or not, it rounds once
+}
+` };
+
+export const level_rg15 = { language, name: "level_rg15", summary: "two channels to a level to compare with",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [], text: `
+// umbrage_level_rg15: two channels of a 15-bit code, as sampled, to the scale of umbrage_receiver_rg15, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg15(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 128.0;  // an exact product: fused or not, it rounds once
+}
+` };
+
+export const level_rg16 = { language, name: "level_rg16", summary: "two channels to a level to compare with",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [], text: `
+// umbrage_level_rg16: two channels of a 16-bit code, as sampled, to the scale of umbrage_receiver_rg16, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg16(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 256.0;  // an exact product: fused or not, it rounds once
+}
+` };
+
+export const receiver_rg9 = { language, name: "receiver_rg9", summary: "receiver to a level, for maps that are not decoded",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_receiver_rg9: receiver on the scale of umbrage_level_rg9: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg9(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg9(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 512.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+` };
+
+export const receiver_rg10 = { language, name: "receiver_rg10", summary: "receiver to a level, for maps that are not decoded",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_receiver_rg10: receiver on the scale of umbrage_level_rg10: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg10(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg10(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 1024.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+` };
+
+export const receiver_rg11 = { language, name: "receiver_rg11", summary: "receiver to a level, for maps that are not decoded",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_receiver_rg11: receiver on the scale of umbrage_level_rg11: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg11(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg11(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 2048.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+` };
+
+export const receiver_rg12 = { language, name: "receiver_rg12", summary: "receiver to a level, for maps that are not decoded",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_receiver_rg12: receiver on the scale of umbrage_level_rg12: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg12(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg12(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 4096.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+` };
+
+export const receiver_rg13 = { language, name: "receiver_rg13", summary: "receiver to a level, for maps that are not decoded",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_receiver_rg13: receiver on the scale of umbrage_level_rg13: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg13(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg13(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 8192.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+` };
+
+export const receiver_rg14 = { language, name: "receiver_rg14", summary: "receiver to a level, for maps that are not decoded",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_receiver_rg14: receiver on the scale of umbrage_level_rg14: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg14(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg14(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 16384.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+` };
+
+export const receiver_rg15 = { language, name: "receiver_rg15", summary: "receiver to a level, for maps that are not decoded",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_receiver_rg15: receiver on the scale of umbrage_level_rg15: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg15(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg15(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 32768.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+` };
+
+export const receiver_rg16 = { language, name: "receiver_rg16", summary: "receiver to a level, for maps that are not decoded",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_receiver_rg16: receiver on the scale of umbrage_level_rg16: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg16(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg16(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 65536.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+` };
+
+export const decode_ps14 = { language, name: "decode_ps14", summary: "r / 8 + g as the Radeon 8500 computed it",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [], text: `
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+//   1.0 is not the far plane on this scale
+UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}
+` };
+
+export const receiver_ps14 = { language, name: "receiver_ps14", summary: "receiver on the scale of decode_ps14",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
+//   lights
+UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
+    return depth > 1.0 ? -1.0 : depth * 1.00392163;
+}
+` };
+
+export const inside_map = { language, name: "inside_map", summary: "whether a texel is one of the map's",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+` };
+
+export const fetch_bordered = { language, name: "fetch_bordered", summary: "texel of a map, outside a border value",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [texel], text: `
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                          UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec2 at = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, at);
+    return at.x == texel.x && at.y == texel.y ? value : border;
+}
+` };
+
+export const fetch_depth = { language, name: "fetch_depth", summary: "stored depth of a texel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "fetch_depth", scaled: false,
+    needs: [texel], text: `
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                        UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
+    UMBRAGE_HIGHP float depth = value.x;
+    return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;
+}
+` };
+
+export const depth_at = { language, name: "depth_at", summary: "stored depth at a point of the map",
+    exactness: "c", operations: 4, within: 0, as_written: false, lowest: "100", role: "depth_at", scaled: false,
+    needs: [fetch_depth], text: `
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+` };
+
+export const beyond_far_plane = { language, name: "beyond_far_plane", summary: "receivers behind the far plane",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "beyond_far_plane", scaled: false,
+    needs: [], text: `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
+    return receiver > 1.0;
+}
+` };
+
+export const in_filter_domain = { language, name: "in_filter_domain", summary: "receivers that a filter compares; it takes the others as lit",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [inside_texel_space, beyond_far_plane], text: `
+// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+` };
+
+export const compare = { language, name: "compare", summary: "one comparison",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "compare", scaled: false,
+    needs: [], text: `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+` };
+
+export const lit = { language, name: "lit", summary: "one comparison with a texel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "lit", scaled: false,
+    needs: [compare, fetch_depth], text: `
+// umbrage_lit: visibility of one comparison with a texel
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+` };
+
+export const lit_2x2 = { language, name: "lit_2x2", summary: "comparisons with the 2x2 texels from one on",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "lit_2x2", scaled: false,
+    needs: [lit], text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    return vec4(a, b, c, d);
+}
+` };
+
+export const map_covers = { language, name: "map_covers", summary: "whether a receiver of a prefiltered map lies in it",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "map_covers", scaled: false,
+    needs: [], text: `
+// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
+}
+` };
+
+export const within_far_plane = { language, name: "within_far_plane", summary: "receivers up to the far plane, NaN is none",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "within_far_plane", scaled: false,
+    needs: [], text: `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
+    return receiver <= 1.0;
+}
+` };
+
+export const compare_dx_sdk = { language, name: "compare_dx_sdk", summary: "stored + epsilon < receiver is shadow",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
+                                           UMBRAGE_HIGHP float epsilon) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
+}
+` };
+
+export const compare_exercise = { language, name: "compare_exercise", summary: "current < stored + epsilon is lit",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
+UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,
+                                             UMBRAGE_HIGHP float epsilon) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return current < limit ? 1.0 : 0.0;
+}
+` };
+
+export const window_sum3 = { language, name: "window_sum3", summary: "weighted count of lit texels under a window of 3 x 3",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, lit_2x2], text: `
+// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w2 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w3 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w1 = max(whole - (w0 + w2 + w3), vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 first = texel - 1.0;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    return compared ? n : whole * whole;
+}
+` };
+
+export const window_sum5 = { language, name: "window_sum5", summary: "weighted count of lit texels under a window of 5 x 5",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, lit_2x2], text: `
+// umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
+    UMBRAGE_HIGHP vec2 w3 = floor(r * k1 + s * k2);
+    UMBRAGE_HIGHP vec2 w4 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w5 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w2 = max(whole - (w0 + w1 + w3 + w4 + w5), vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 first = texel - 2.0;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    return compared ? n : whole * whole;
+}
+` };
+
+export const window_sum7 = { language, name: "window_sum7", summary: "weighted count of lit texels under a window of 7 x 7",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, lit_2x2], text: `
+// umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
+    UMBRAGE_HIGHP vec2 w2 = floor(r * k2 + s * k1);
+    UMBRAGE_HIGHP vec2 w4 = floor(r * k2 + s * k3);
+    UMBRAGE_HIGHP vec2 w5 = floor(r * k1 + s * k2);
+    UMBRAGE_HIGHP vec2 w6 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w7 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w3 = max(whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7), vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 first = texel - 3.0;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, first + vec2(6.0, 0.0), receiver);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 6.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 6.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 6.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 6.0), receiver);
+    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    return compared ? n : whole * whole;
+}
+` };
+
+export const disc_rotation = { language, name: "disc_rotation", summary: "one of 16 turns for a pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [inside_texel_space], text: `
+// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
+    v = v - floor(v * (1.0 / 16.0)) * 16.0;
+    UMBRAGE_HIGHP float quarter = floor(v * 0.25);
+    UMBRAGE_HIGHP float base = v - quarter * 4.0;
+    UMBRAGE_HIGHP vec2 low = base < 0.5 ? vec2(64.0, 0.0) : vec2(59.0, 24.0);
+    UMBRAGE_HIGHP vec2 high = base < 2.5 ? vec2(45.0, 45.0) : vec2(24.0, 59.0);
+    UMBRAGE_HIGHP vec2 first = base < 1.5 ? low : high;
+    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? first : vec2(0.0 - first.y, first.x);
+    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - first.x, 0.0 - first.y) : vec2(first.y, 0.0 - first.x);
+    return quarter < 1.5 ? once : twice;
+}
+` };
+
+export const disc_tap = { language, name: "disc_tap", summary: "the texel that a point of a disc falls on",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
+                                    UMBRAGE_HIGHP float radius) {
+    UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
+    UMBRAGE_HIGHP vec2 texel = floor(at);
+    UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
+    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
+    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + floor(vec2(x, y));
+}
+` };
+
+export const disc_radius = { language, name: "disc_radius", summary: "radius of a disc, down to 1/16 texel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
+    UMBRAGE_HIGHP float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
+    return radius >= 255.9375 ? 4095.0 : inside;
+}
+` };
+
+export const disc8 = { language, name: "disc8", summary: "disc of 8 points, turned by the pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], text: `
+// umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_disc8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                  UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -7.0), rotation, rho), receiver);
+    return compared ? n * (1.0 / 8.0) : 1.0;
+}
+` };
+
+export const disc16 = { language, name: "disc16", summary: "disc of 16 points, turned by the pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], text: `
+// umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_disc16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, rho), receiver);
+    return compared ? n * (1.0 / 16.0) : 1.0;
+}
+` };
+
+export const disc32 = { language, name: "disc32", summary: "disc of 32 points, turned by the pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], text: `
+// umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_disc32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-2.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(6.0, -7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-3.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, 10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, -12.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(13.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, 4.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(10.0, -10.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-11.0, 9.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(12.0, 8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 14.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -15.0), rotation, rho), receiver);
+    return compared ? n * (1.0 / 32.0) : 1.0;
+}
+` };
+
+export const hard = { language, name: "hard", summary: "nearest texel, one test",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, lit], text: `
+// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, texel, receiver);
+    return compared ? lit : 1.0;
+}
+` };
+
+export const four_tap = { language, name: "four_tap", summary: "mean of four taps with coordinates of their own",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [lit, beyond_far_plane], text: `
+// umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
+//   or more in a direction;   receiver  depth, biased
+UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
+                                     UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
+                                     UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 a_texel = floor(a);
+    UMBRAGE_HIGHP vec2 b_texel = floor(b);
+    UMBRAGE_HIGHP vec2 c_texel = floor(c);
+    UMBRAGE_HIGHP vec2 d_texel = floor(d);
+    UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
+    UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
+        umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
+    return compared ? count * 0.25 : 1.0;
+}
+` };
+
+export const pcf_2x2 = { language, name: "pcf_2x2", summary: "bilinear 2x2, weights in steps of 1/256",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, lit_2x2], text: `
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                    UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
+    UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
+    UMBRAGE_HIGHP float visibility = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    return compared ? visibility : 1.0;
+}
+` };
+
+export const pcf_2x2_dx_sdk = { language, name: "pcf_2x2_dx_sdk", summary: "bilinear 2x2 as the DirectX SDK sample, plain floats",
+    exactness: "b", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [compare_dx_sdk, in_filter_domain, fetch_depth], text: `
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                           UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                           UMBRAGE_HIGHP float epsilon) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
+    UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    UMBRAGE_HIGHP float right = umbrage_fetch_depth(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP float above = umbrage_fetch_depth(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP float beyond = umbrage_fetch_depth(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    UMBRAGE_HIGHP float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    UMBRAGE_HIGHP float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
+    return compared ? visibility : 1.0;
+}
+` };
+
+export const box_count = { language, name: "box_count", summary: "lit texels in a box of radius 0..8",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, lit], text: `
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                      UMBRAGE_HIGHP float receiver, int radius) {
+    int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
+    int width = 2 * r + 1;
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 first = compared ? floor(coord) - float(r) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float count = 0.0;
+    for (int j = 0; j < 17; j++) {
+        if (j >= width) break;
+        for (int i = 0; i < 17; i++) {
+            if (i >= width) break;
+            count += umbrage_lit(map, size, first + vec2(float(i), float(j)), receiver);
+        }
+    }
+    return compared ? count : float(width * width);
+}
+` };
+
+export const box_scale = { language, name: "box_scale", summary: "1 / (2r+1)^2",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
+UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
+    UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    if (radius < 8) scale = 0.00444444455;
+    if (radius < 7) scale = 0.00591715984;
+    if (radius < 6) scale = 0.00826446246;
+    if (radius < 5) scale = 0.0123456791;
+    if (radius < 4) scale = 0.0204081628;
+    if (radius < 3) scale = 0.0399999991;
+    if (radius < 2) scale = 0.111111112;
+    if (radius < 1) scale = 1.0;
+    return scale;
+}
+` };
+
+export const box = { language, name: "box", summary: "lit share of a box of radius 0..8",
+    exactness: "b", operations: 290, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [box_count, box_scale], text: `
+// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+UMBRAGE_HIGHP float umbrage_box(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, int radius) {
+    UMBRAGE_HIGHP float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
+    return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+` };
+
+export const tent2 = { language, name: "tent2", summary: "sliding window 1 1",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, lit_2x2], text: `
+// umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_tent2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 r = 256.0 - s;
+    UMBRAGE_HIGHP vec2 w0 = r * 8.0;
+    UMBRAGE_HIGHP vec2 w2 = s * 8.0;
+    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+` };
+
+export const tent3 = { language, name: "tent3", summary: "sliding window 1 2 1",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [window_sum3], text: `
+// umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_tent3(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
+}
+` };
+
+export const quadratic_b_spline = { language, name: "quadratic_b_spline", summary: "quadratic B-spline of 3 x 3 texels",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, lit_2x2], text: `
+// umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                               UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 r = 256.0 - s;
+    UMBRAGE_HIGHP vec2 w0 = floor(r * r * (1.0 / 32.0));
+    UMBRAGE_HIGHP vec2 w2 = floor(s * s * (1.0 / 32.0));
+    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+` };
+
+export const binomial5 = { language, name: "binomial5", summary: "sliding window 1 4 6 4 1",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [window_sum5], text: `
+// umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_binomial5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
+}
+` };
+
+export const castano_dyadic5 = { language, name: "castano_dyadic5", summary: "sliding window 5 16 22 16 5",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [window_sum5], text: `
+// umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_castano_dyadic5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                            UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
+}
+` };
+
+export const castano5 = { language, name: "castano5", summary: "sliding window 1 3 4 3 1",
+    exactness: "b", operations: 80, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [window_sum5], text: `
+// umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_castano5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                     UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
+    return n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0;
+}
+` };
+
+export const binomial7 = { language, name: "binomial7", summary: "sliding window 1 6 15 20 15 6 1",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [window_sum7], text: `
+// umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_binomial7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
+}
+` };
+
+export const tent7 = { language, name: "tent7", summary: "sliding window 1 2 3 4 3 2 1",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [window_sum7], text: `
+// umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_tent7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
+    return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
+}
+` };
+
+export const castano7 = { language, name: "castano7", summary: "sliding window 1 5 12 16 12 5 1",
+    exactness: "b", operations: 138, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [window_sum7], text: `
+// umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_castano7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                     UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
+    return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
+}
+` };
+
+export const cube_lit = { language, name: "cube_lit", summary: "one comparison with a texel of a cube",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cube_neighbor, cube_tile, lit], text: `
+// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
+//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
+                                    UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float side = size.y * 0.5;
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbor(texel, side);
+    UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
+    return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
+}
+` };
+
+export const pcf_2x2_cube = { language, name: "pcf_2x2_cube", summary: "2 x 2 comparisons of a cube, over its edges too, bilinear weights",
+    exactness: "c", operations: 33, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, cube_lit], text: `
+// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
+//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
+//   receiver   distance from the light, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
+    UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
+}
+` };
+
+export const four_tap_hardware = { language, name: "four_tap_hardware", summary: "mean of four taps that a sampler of the nearest texel takes",
+    exactness: "c", operations: 39, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [beyond_far_plane, compare, depth_at], text: `
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
+//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                              UMBRAGE_HIGHP vec2 a, UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c,
+                                              UMBRAGE_HIGHP vec2 d, UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
+    bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x + sum.y < 131072.0;
+    UMBRAGE_HIGHP float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, d));
+    return compared ? count * 0.25 : 1.0;
+}
+` };
+
+export const lit_filtered = { language, name: "lit_filtered", summary: "comparisons around a point, weighted",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "lit_filtered", scaled: false,
+    needs: [pcf_2x2], text: `
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
+}
+` };
+
+export const lit_at = { language, name: "lit_at", summary: "comparisons around a point of the map, weighted",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "lit_at", scaled: false,
+    needs: [lit_filtered], text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+` };
+
+export const pcf_2x2_hardware = { language, name: "pcf_2x2_hardware", summary: "2x2 by a comparison sampler with a linear filter",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                             UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? lit : 0.0;
+    return compared ? visibility : 1.0;
+}
+` };
+
+export const window_hardware3 = { language, name: "window_hardware3", summary: "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+// umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
+UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                             UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                             UMBRAGE_HIGHP float k0, UMBRAGE_HIGHP float k1) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0 + k1 + k0;
+    UMBRAGE_HIGHP vec2 b0 = k1 + s * (k0 - k1);
+    UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
+    UMBRAGE_HIGHP vec2 p0 = (texel - 0.5 + b0 / w0) / size;
+    UMBRAGE_HIGHP vec2 b1 = s * k0;
+    UMBRAGE_HIGHP vec2 w1 = k0 + s * k1;
+    UMBRAGE_HIGHP vec2 p1 = (texel + 1.5 + b1 / w1) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP float row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
+    n += w1.y * row;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
+    return compared ? visibility : 1.0;
+}
+` };
+
+export const window_hardware5 = { language, name: "window_hardware5", summary: "window of 5 x 5 by 9 of them",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+// umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
+UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                             UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                             UMBRAGE_HIGHP float k0, UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0 + k1 + k2 + k1 + k0;
+    UMBRAGE_HIGHP vec2 b0 = k1 + s * (k0 - k1);
+    UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
+    UMBRAGE_HIGHP vec2 p0 = (texel - 1.5 + b0 / w0) / size;
+    UMBRAGE_HIGHP vec2 b1 = k1 + s * (k2 - k1);
+    UMBRAGE_HIGHP vec2 w1 = vec2(k2 + k1, k2 + k1);
+    UMBRAGE_HIGHP vec2 p1 = (texel + 0.5 + b1 / w1) / size;
+    UMBRAGE_HIGHP vec2 b2 = s * k0;
+    UMBRAGE_HIGHP vec2 w2 = k0 + s * k1;
+    UMBRAGE_HIGHP vec2 p2 = (texel + 2.5 + b2 / w2) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP float row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
+    n += w2.y * row;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
+    return compared ? visibility : 1.0;
+}
+` };
+
+export const window_hardware7 = { language, name: "window_hardware7", summary: "window of 7 x 7 by 16 of them",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+// umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                             UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                             UMBRAGE_HIGHP float k0, UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2,
+                                             UMBRAGE_HIGHP float k3) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
+    UMBRAGE_HIGHP vec2 b0 = k1 + s * (k0 - k1);
+    UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
+    UMBRAGE_HIGHP vec2 p0 = (texel - 2.5 + b0 / w0) / size;
+    UMBRAGE_HIGHP vec2 b1 = k3 + s * (k2 - k3);
+    UMBRAGE_HIGHP vec2 w1 = k2 + k3 + s * (k1 - k3);
+    UMBRAGE_HIGHP vec2 p1 = (texel - 0.5 + b1 / w1) / size;
+    UMBRAGE_HIGHP vec2 b2 = k1 + s * (k2 - k1);
+    UMBRAGE_HIGHP vec2 w2 = k2 + k1 + s * (k3 - k1);
+    UMBRAGE_HIGHP vec2 p2 = (texel + 1.5 + b2 / w2) / size;
+    UMBRAGE_HIGHP vec2 b3 = s * k0;
+    UMBRAGE_HIGHP vec2 w3 = k0 + s * k1;
+    UMBRAGE_HIGHP vec2 p3 = (texel + 3.5 + b3 / w3) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP float row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p2.y), receiver);
+    n += w2.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p3.y), receiver);
+    n += w3.y * row;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
+    return compared ? visibility : 1.0;
+}
+` };
+
+export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc of 8 points by a comparison sampler with a linear filter",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                           UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                           UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 8.0) : 0.0;
+    return compared ? visibility : 1.0;
+}
+` };
+
+export const disc_hardware16 = { language, name: "disc_hardware16", summary: "disc of 16 points by one",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+// umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                            UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 16.0) : 0.0;
+    return compared ? visibility : 1.0;
+}
+` };
+
+export const disc_hardware32 = { language, name: "disc_hardware32", summary: "disc of 32 points by one",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+// umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                            UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 32.0) : 0.0;
+    return compared ? visibility : 1.0;
+}
+` };
+
+export const bounds_lit = { language, name: "bounds_lit", summary: "visibility where bounds of a filter's texels suffice",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, compare, fetch_clamped], text: `
+// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
+//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
+//   coord, receiver  as the filter takes them
+UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_HIGHP sampler2D bounds, UMBRAGE_HIGHP vec2 size,
+                                       UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP vec2 place) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
+    UMBRAGE_HIGHP float all = umbrage_compare(receiver, b.x);
+    UMBRAGE_HIGHP float some = umbrage_compare(receiver, b.y);
+    UMBRAGE_HIGHP float known = b.x <= b.y && all == some ? all : -1.0;  // not of a NaN
+    return compared ? known : 1.0;
+}
+` };
+
+export const distance_code = { language, name: "distance_code", summary: "a depth as 16 bits of distance from the near plane",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = depth * 65536.0;
+    UMBRAGE_HIGHP float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
+    UMBRAGE_HIGHP float reversed = v > 0.0 ? floor(min(v, 65535.0)) : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
+}
+` };
+
+export const penumbra = { language, name: "penumbra", summary: "radius of a penumbra from the distance between blocker and receiver",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_penumbra: radius in 1/16 texel, a whole number
+//   apart     umbrage_distance_code of the receiver less that of the blocker
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
+    return min(max(floor(apart * softness.x), softness.y), softness.z);
+}
+` };
+
+export const blocker = { language, name: "blocker", summary: "whether a texel lies before a receiver, and how far from the light",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [fetch_depth, compare, distance_code], text: `
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_fetch_depth(map, size, texel);
+    UMBRAGE_HIGHP float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, code);
+}
+` };
+
+export const blockers8 = { language, name: "blockers8", summary: "texels under a disc's points that lie before a receiver",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [disc_tap, blocker], text: `
+// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                     UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                     UMBRAGE_HIGHP vec2 rotation) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -7.0), rotation, radius), receiver);
+    return n;
+}
+` };
+
+export const blockers16 = { language, name: "blockers16", summary: "texels under a disc's points that lie before a receiver",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [disc_tap, blocker], text: `
+// umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP vec2 rotation) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(14.0, -2.0), rotation, radius), receiver);
+    return n;
+}
+` };
+
+export const blockers32 = { language, name: "blockers32", summary: "texels under a disc's points that lie before a receiver",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [disc_tap, blocker], text: `
+// umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP vec2 rotation) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, -15.0), rotation, radius), receiver);
+    return n;
+}
+` };
+
+export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows, 8 points twice",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], text: `
+// umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_pcss8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                  UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+}
+` };
+
+export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows, 16 points twice",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], text: `
+// umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_pcss16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+}
+` };
+
+export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows, 32 points twice",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], text: `
+// umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_pcss32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+}
+` };
+
+export const blocker_at = { language, name: "blocker_at", summary: "whether what a point of the map holds lies before a receiver, and its depth",
+    exactness: "c", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [depth_at, compare], text: `
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_depth_at(map, size, uv);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, stored);
+}
+` };
+
+export const pcss_radius = { language, name: "pcss_radius", summary: "radius of a penumbra from the mean depth of blockers",
+    exactness: "c", operations: 0, within: 0.0009765625, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
+                                        UMBRAGE_HIGHP vec3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    UMBRAGE_HIGHP float min_radius = softness.y * 0.0625;
+    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
+}
+` };
+
+export const blockers_hardware8 = { language, name: "blockers_hardware8", summary: "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel",
+    exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, blocker_at], text: `
+// umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers_hardware8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                              UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                              UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 7.0, receiver);
+    return compared ? n : vec2(0.0, 0.0);
+}
+` };
+
+export const blockers_hardware16 = { language, name: "blockers_hardware16", summary: "the same at 16 points",
+    exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, blocker_at], text: `
+// umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                               UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                               UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    return compared ? n : vec2(0.0, 0.0);
+}
+` };
+
+export const blockers_hardware32 = { language, name: "blockers_hardware32", summary: "the same at 32 points",
+    exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, blocker_at], text: `
+// umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers_hardware32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                               UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                               UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, center - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    return compared ? n : vec2(0.0, 0.0);
+}
+` };
+
+export const hardened_kernel8 = { language, name: "hardened_kernel8", summary: "a disc's share in shadow, steepened",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_hardened_kernel8: the share of 8 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+UMBRAGE_HIGHP float umbrage_hardened_kernel8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+    UMBRAGE_HIGHP float u = blocked * 2.0 - 8.0;
+    UMBRAGE_HIGHP float d = max(8.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
+    UMBRAGE_HIGHP float steep = 512.0 - d * d * d;
+    UMBRAGE_HIGHP float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
+}
+` };
+
+export const hardened_kernel16 = { language, name: "hardened_kernel16", summary: "a disc's share in shadow, steepened",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_hardened_kernel16: the share of 16 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+UMBRAGE_HIGHP float umbrage_hardened_kernel16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+    UMBRAGE_HIGHP float u = blocked * 2.0 - 16.0;
+    UMBRAGE_HIGHP float d = max(16.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
+    UMBRAGE_HIGHP float steep = 4096.0 - d * d * d;
+    UMBRAGE_HIGHP float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
+}
+` };
+
+export const hardened_kernel32 = { language, name: "hardened_kernel32", summary: "a disc's share in shadow, steepened",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_hardened_kernel32: the share of 32 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+UMBRAGE_HIGHP float umbrage_hardened_kernel32(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+    UMBRAGE_HIGHP float u = blocked * 2.0 - 32.0;
+    UMBRAGE_HIGHP float d = max(32.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
+    UMBRAGE_HIGHP float steep = 32768.0 - d * d * d;
+    UMBRAGE_HIGHP float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
+}
+` };
+
+export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening by 8 points",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], text: `
+// umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_dpcf8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                  UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened_kernel8(found.x, ratio);
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
+}
+` };
+
+export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening by 16 points",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], text: `
+// umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_dpcf16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened_kernel16(found.x, ratio);
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
+}
+` };
+
+export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening by 32 points",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], text: `
+// umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_dpcf32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened_kernel32(found.x, ratio);
+    return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
+}
+` };
+
+export const box_moments = { language, name: "box_moments", summary: "mean and squared distances from it over a box, from a summed-area table",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [texel, floor_divide], text: `
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
+                                       UMBRAGE_HIGHP vec2 end) {
+    UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
+    UMBRAGE_HIGHP vec4 b = umbrage_texel(map, size, vec2(first.x, end.y));
+    UMBRAGE_HIGHP vec4 c = umbrage_texel(map, size, vec2(end.x, first.y));
+    UMBRAGE_HIGHP vec4 d = umbrage_texel(map, size, first);
+    UMBRAGE_HIGHP vec4 part = (a - b) - (c - d);
+    UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
+    UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
+    UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
+    // nothing below is negative; compilers cannot regroup sums across a max
+    low = max(low - carry * 65536.0, vec2(0.0, 0.0));
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
+    UMBRAGE_HIGHP vec2 sides = max(end - first, vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float n = sides.x * sides.y;
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(sum, n);
+    UMBRAGE_HIGHP float rest = max(sum - mean * n, 0.0);
+    UMBRAGE_HIGHP vec2 digits = vec2(sum + rest, low.y);
+    UMBRAGE_HIGHP vec2 high = floor(digits * (1.0 / 4096.0));
+    digits = max(digits - high * 4096.0, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float below = digits.y - mean * digits.x;
+    UMBRAGE_HIGHP float borrow = floor(below * (1.0 / 4096.0));
+    UMBRAGE_HIGHP float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return vec4(mean, rest, wide, below - borrow * 4096.0);
+}
+` };
+
+export const summed_variance = { language, name: "summed_variance", summary: "variance shadow over a box of any size, from a summed-area table",
+    exactness: "c", operations: 0, within: 1.52587890625e-05, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, map_covers, cleared_depth, box_moments], text: `
+// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                            UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP float codes) {
+    UMBRAGE_HIGHP vec2 last = size - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
+    UMBRAGE_HIGHP vec4 m = umbrage_box_moments(map, size, first, end);
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP float n = sides.x * sides.y;
+    UMBRAGE_HIGHP float share = m.y / n;
+    UMBRAGE_HIGHP float variance = (m.z * 4096.0 + (m.w - m.y)) / n + share * (1.0 - share);
+    UMBRAGE_HIGHP float scaled = receiver * codes;
+    UMBRAGE_HIGHP float t = umbrage_cleared_depth() > 0.5 ? scaled : codes - scaled;
+    UMBRAGE_HIGHP float d = (t - 1.0 - m.x) - share;
+    UMBRAGE_HIGHP float behind = d > 0.0 ? variance / (variance + d * d) : 0.0;
+    return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
+}
+` };
+
+export const box_mean = { language, name: "box_mean", summary: "mean of four whole numbers over a box, from a summed-area table in two halves",
+    exactness: "c", operations: 19, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [texel], text: `
+// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
+//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+UMBRAGE_HIGHP vec4 umbrage_box_mean(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
+                                    UMBRAGE_HIGHP vec2 end) {
+    UMBRAGE_HIGHP float right = size.x * 0.5;
+    UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
+    UMBRAGE_HIGHP vec4 b = umbrage_texel(map, size, vec2(first.x, end.y));
+    UMBRAGE_HIGHP vec4 c = umbrage_texel(map, size, vec2(end.x, first.y));
+    UMBRAGE_HIGHP vec4 d = umbrage_texel(map, size, first);
+    UMBRAGE_HIGHP vec4 low = (a - b) - (c - d);
+    UMBRAGE_HIGHP vec4 carry = floor(low * (1.0 / 65536.0));
+    a = umbrage_texel(map, size, vec2(right + end.x, end.y));
+    b = umbrage_texel(map, size, vec2(right + first.x, end.y));
+    c = umbrage_texel(map, size, vec2(right + end.x, first.y));
+    d = umbrage_texel(map, size, vec2(right + first.x, first.y));
+    UMBRAGE_HIGHP vec4 above = (a - b) - (c - d) + carry;
+    UMBRAGE_HIGHP vec4 high = above - floor(above * (1.0 / 65536.0)) * 65536.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = high * 65536.0 + (low - carry * 65536.0);
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    return sum / (sides.x * sides.y);
+}
+` };
+
+export const from_optimized_moments = { language, name: "from_optimized_moments", summary: "four channels of 16 bits to four moments",
+    exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+UMBRAGE_HIGHP vec4 umbrage_from_optimized_moments(UMBRAGE_HIGHP vec4 o) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
+    UMBRAGE_HIGHP float eighth = o.y * 0.125;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b1 = z * 1.73205078 - x * 0.333333343;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b2 = o.w + eighth;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b3 = z * 1.29903817 - x * 0.75;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b4 = o.w - eighth;
+    return vec4(b1, b2, b3, b4);
+}
+` };
+
+export const bias_moments = { language, name: "bias_moments", summary: "four moments, moved a little towards those of spread depths",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = b.x - b.x * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = b.y + (bias.y - b.y) * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = b.z - b.z * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = b.w + (bias.y - b.w) * bias.x;
+    return vec4(x, y, z, w);
+}
+` };
+
+export const to_forward_depth = { language, name: "to_forward_depth", summary: "depth that grows with distance",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+` };
+
+export const moment_atoms = { language, name: "moment_atoms", summary: "the two depths that make four moments beside a receiver's",
+    exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float x) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = b.y - b.x * b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
+    UMBRAGE_HIGHP float l = third / d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float e = (b.w - b.y * b.y) - third * l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float h = b.x * 2.0 - l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float a = d * ((x + h) * x - d);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float m = x * e + h * a;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float c = d * (e - a);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = m * m - 4.0 * a * c;
+    UMBRAGE_HIGHP float root = sqrt(square > 0.0 ? square : 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    UMBRAGE_HIGHP vec2 t = vec2(w / a, c / w);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 q = (t + h) * t - d;
+    UMBRAGE_HIGHP float least = d * e;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 sum = least + (t * t * e + q * q * d);
+    return vec4(t.x, t.y, least / sum.x, least / sum.y);
+}
+` };
+
+export const decode_msm = { language, name: "decode_msm", summary: "mean of four moments to visibility",
+    exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
+    needs: [bias_moments, to_forward_depth, moment_atoms], text: `
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
+    UMBRAGE_HIGHP float first = atoms.x < x ? atoms.z : 0.0;
+    UMBRAGE_HIGHP float second = atoms.y < x ? atoms.w : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = 1.0 - (first + second);
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+` };
+
+export const summed_moments = { language, name: "summed_moments", summary: "moment shadow over a box of any size, from a summed-area table",
+    exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, map_covers, box_mean, from_optimized_moments, decode_msm], text: `
+// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
+//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                           UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                           UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
+    bool compared = umbrage_map_covers(last, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
+    UMBRAGE_HIGHP vec4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(turned), receiver, bias);
+    return compared ? lit : 1.0;
+}
+` };
+
+export const power_of_two = { language, name: "power_of_two", summary: "2^n of whole numbers -64 to 63",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
+#if __VERSION__ >= 300
+    UMBRAGE_HIGHP uint exponent = uint(n + 127.0);
+    return uintBitsToFloat(exponent << 23);
+#else
+    UMBRAGE_HIGHP float x = n < 0.0 ? n + 64.0 : n;
+    UMBRAGE_HIGHP float p = 1.0;
+    p = n < 0.0 ? p * (1.0 / 4294967296.0) * (1.0 / 4294967296.0) : p;
+    p = x >= 32.0 ? p * 4294967296.0 : p;
+    x = x >= 32.0 ? x - 32.0 : x;
+    p = x >= 16.0 ? p * 65536.0 : p;
+    x = x >= 16.0 ? x - 16.0 : x;
+    p = x >= 8.0 ? p * 256.0 : p;
+    x = x >= 8.0 ? x - 8.0 : x;
+    p = x >= 4.0 ? p * 16.0 : p;
+    x = x >= 4.0 ? x - 4.0 : x;
+    p = x >= 2.0 ? p * 4.0 : p;
+    x = x >= 2.0 ? x - 2.0 : x;
+    return x >= 1.0 ? p * 2.0 : p;
+#endif
+}
+` };
+
+export const exp2_polynomial = { language, name: "exp2_polynomial", summary: "2^y to 1.8e-7 of it",
+    exactness: "b", operations: 16, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [power_of_two], text: `
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
+    UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
+    UMBRAGE_HIGHP float n = floor(x);
+    UMBRAGE_HIGHP float f = x - n;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+` };
+
+export const exp2_steps = { language, name: "exp2_steps", summary: "2^y in steps of 12 bits",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [power_of_two], text: `
+// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
+    UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
+    UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP float f = max(x - n * 2048.0, 0.0);  // not negative already: no sum is regrouped across the max
+    UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
+    UMBRAGE_HIGHP float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
+    UMBRAGE_HIGHP float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
+    return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
+}
+` };
+
+export const chebyshev = { language, name: "chebyshev", summary: "most that mean and variance let be lit",
+    exactness: "c", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                      UMBRAGE_HIGHP float min_variance) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float difference = m.y - m.x * m.x;
+    UMBRAGE_HIGHP float variance = difference > min_variance ? difference : min_variance;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
+    UMBRAGE_HIGHP float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
+}
+` };
+
+export const reduce_light_bleeding = { language, name: "reduce_light_bleeding", summary: "visibility without its least values",
+    exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+UMBRAGE_HIGHP float umbrage_reduce_light_bleeding(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float stretched = (visibility - amount) / (1.0 - amount);
+    return visibility > amount ? stretched : 0.0;
+}
+` };
+
+export const encode_vsm = { language, name: "encode_vsm", summary: "depth to a texel of a variance shadow map",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, to_forward_depth], text: `
+// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
+    return vec2(d, d * d);
+}
+` };
+
+export const decode_vsm = { language, name: "decode_vsm", summary: "mean of texels of a variance shadow map to visibility",
+    exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [chebyshev, to_forward_depth], text: `
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP float min_variance) {
+    return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
+}
+` };
+
+export const encode_deviation = { language, name: "encode_deviation", summary: "depth's two moments to mean and deviation",
+    exactness: "c", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
+UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = m.y - m.x * m.x;
+    return vec2(m.x, 2.0 * sqrt(variance > 0.0 ? variance : 0.0));
+}
+` };
+
+export const decode_deviation = { language, name: "decode_deviation", summary: "mean and deviation to depth's two moments",
+    exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
+    UMBRAGE_HIGHP float half_of_it = held.y * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = held.x * held.x + half_of_it * half_of_it;
+    return vec2(held.x, square);
+}
+` };
+
+export const decode_deviation_rgba8 = { language, name: "decode_deviation_rgba8", summary: "mean and deviation in four channels to depth's two moments",
+    exactness: "b", operations: 21, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [decode_deviation, decode_rg16], text: `
+// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_HIGHP float mean = umbrage_decode_rg16(vec2(c.x, c.y), 1.0);
+    UMBRAGE_HIGHP float deviation = umbrage_decode_rg16(vec2(c.z, c.w), 1.0);
+    return umbrage_decode_deviation(vec2(mean, deviation));
+}
+` };
+
+export const exponential_warp = { language, name: "exponential_warp", summary: "depth on the scale of exponential shadow maps",
+    exactness: "b", operations: 31, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [exp2_polynomial], text: `
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_exponential_warp(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+` };
+
+export const encode_esm = { language, name: "encode_esm", summary: "depth to a texel of an exponential shadow map",
+    exactness: "b", operations: 36, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, to_forward_depth, exponential_warp], text: `
+// umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
+}
+` };
+
+export const decode_esm = { language, name: "decode_esm", summary: "mean of texels of an exponential shadow map to visibility",
+    exactness: "b", operations: 37, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [to_forward_depth, exponential_warp], text: `
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
+    UMBRAGE_HIGHP float p = m * umbrage_exponential_warp(d, -exponent);
+    UMBRAGE_HIGHP float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+` };
+
+export const encode_evsm2 = { language, name: "encode_evsm2", summary: "depth to a texel of two components",
+    exactness: "b", operations: 73, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, to_forward_depth, exponential_warp], text: `
+// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
+    return vec2(w, w * w);
+}
+` };
+
+export const encode_evsm4 = { language, name: "encode_evsm4", summary: "depth to a texel of four components",
+    exactness: "b", operations: 73, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, to_forward_depth, exponential_warp], text: `
+// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec2 exponents) {
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_exponential_warp(d, -exponents.y);
+    return vec4(w, w * w, n, n * n);
+}
+` };
+
+export const decode_evsm2 = { language, name: "decode_evsm2", summary: "mean of texels of two components to visibility",
+    exactness: "c", operations: 229, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [chebyshev, to_forward_depth, saturate, exponential_warp], text: `
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                         UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponent);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
+}
+` };
+
+export const decode_evsm4 = { language, name: "decode_evsm4", summary: "mean of texels of four components to visibility",
+    exactness: "c", operations: 229, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [chebyshev, to_forward_depth, saturate, exponential_warp], text: `
+// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers
+UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
+                                         UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
+    UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_exponential_warp(d, -exponents.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least_variance = least * least;
+    UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
+    UMBRAGE_HIGHP float b = umbrage_chebyshev(vec2(m.z, m.w), n, least_variance.y);
+    UMBRAGE_HIGHP float lit = a < b ? a : b;
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
+}
+` };
+
+export const encode_msm = { language, name: "encode_msm", summary: "depth to its first four powers on [-1, 1]",
+    exactness: "b", operations: 15, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate, to_forward_depth], text: `
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float square = z * z;
+    return vec4(z, square, square * z, square * square);
+}
+` };
+
+export const to_optimized_moments = { language, name: "to_optimized_moments", summary: "four moments to four channels of 16 bits",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+UMBRAGE_HIGHP vec4 umbrage_to_optimized_moments(UMBRAGE_HIGHP vec4 b) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (b.y - b.w) * 4.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (b.y + b.w) * 0.5;
+    return vec4(x, y, z, w);
+}
+` };
+
+export const hausdorff_share = { language, name: "hausdorff_share", summary: "least share of depths before a receiver, of depths on [-1, 1]",
+    exactness: "c", operations: 0, within: 9.5367431640625e-07, as_written: true, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
+//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+//   negative where the share is that of umbrage_moment_atoms
+UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float z) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = b.y - b.x * b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float fourth = b.w - b.y * b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float rest = 1.0 - b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = z - b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = third + rest * x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float g = (fourth - variance * rest) - (z + b.x) * third;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = d * (1.0 + b.x) + g;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float q = d * (1.0 - b.x) - g;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float k = rest * g + third * d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float first = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float last = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    UMBRAGE_HIGHP float square = d * d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float between = p * (q * (x * d - g));
+    UMBRAGE_HIGHP float end = first / (2.0 * ((1.0 + z) * p));
+    UMBRAGE_HIGHP float other = square * square / between;
+    UMBRAGE_HIGHP float share = end + (d > 0.0 ? other : 0.0);
+    bool four = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return z <= -1.0 ? 0.0 : (four ? (share < 1.0 ? share : 1.0) : -1.0);
+}
+` };
+
+export const decode_msm_hausdorff = { language, name: "decode_msm_hausdorff", summary: "mean of four moments of depths on [-1, 1] to visibility",
+    exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
+    needs: [bias_moments, decode_msm, to_forward_depth, hausdorff_share], text: `
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver,
+                                                 UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
+    UMBRAGE_HIGHP float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    UMBRAGE_HIGHP float lit = share >= 0.0 ? 1.0 - share : plain;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+` };
+
+export const fetch_bilinear = { language, name: "fetch_bilinear", summary: "mean of the four texels around a point",
+    exactness: "b", operations: 19, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [fetch_clamped], text: `
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first center at (0.5, 0.5)
+UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                          UMBRAGE_HIGHP vec2 coord) {
+    UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
+    UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+` };
+
+export const vsm = { language, name: "vsm", summary: "visibility from a map of encode_vsm's texels",
+    exactness: "c", operations: 165, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], text: `
+// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
+    return compared ? lit : 1.0;
+}
+` };
+
+export const esm = { language, name: "esm", summary: "visibility from a map of encode_esm's texels",
+    exactness: "b", operations: 56, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], text: `
+// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   exponent  as of the texels
+UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
+    return compared ? lit : 1.0;
+}
+` };
+
+export const evsm2 = { language, name: "evsm2", summary: "visibility from a map of encode_evsm2's texels",
+    exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], text: `
+// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
+                                  UMBRAGE_HIGHP float deviation) {
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
+    return compared ? lit : 1.0;
+}
+` };
+
+export const evsm4 = { language, name: "evsm4", summary: "visibility from a map of encode_evsm4's texels",
+    exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], text: `
+// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
+                                  UMBRAGE_HIGHP vec2 deviations) {
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
+    return compared ? lit : 1.0;
+}
+` };
+
+export const msm = { language, name: "msm", summary: "visibility from a map of encode_msm's texels",
+    exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], text: `
+// umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+` };
+
+export const msm_unorm16 = { language, name: "msm_unorm16", summary: "visibility from a map of turned moments",
+    exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], text: `
+// umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_from_optimized_moments(m), receiver, bias);
+    return compared ? lit : 1.0;
+}
+` };
+
+export const msm_hausdorff = { language, name: "msm_hausdorff", summary: "visibility from a map of encode_msm's texels",
+    exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], text: `
+// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                          UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                          UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+` };
+
+export const chebyshev_hardware = { language, name: "chebyshev_hardware", summary: "most that a variance lets be lit, less the light that bleeds",
+    exactness: "c", operations: 0, within: 1.9073486328125e-06, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMBRAGE_HIGHP float distance,
+                                               UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float beyond = max(distance, 0.0);
+    UMBRAGE_HIGHP float p = variance / (variance + beyond * beyond);
+    return clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+` };
+
+export const decode_vsm_hardware = { language, name: "decode_vsm_hardware", summary: "mean and deviation to visibility, the cheapest way",
+    exactness: "c", operations: 0, within: 0.0009765625, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [chebyshev_hardware, to_forward_depth], text: `
+// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
+//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE_HIGHP float receiver,
+                                                UMBRAGE_HIGHP float min_variance, UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float variance = max(held.y * held.y * 0.25, min_variance);
+    UMBRAGE_HIGHP float distance = umbrage_to_forward_depth(receiver) - held.x;
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, distance, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+` };
+
+export const decode_evsm2_hardware = { language, name: "decode_evsm2_hardware", summary: "mean of texels of two components to visibility, by the GPU's own exp2",
+    exactness: "c", operations: 0, within: 0.015625, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [chebyshev_hardware, to_forward_depth], text: `
+// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                                  UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
+                                                  UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
+    UMBRAGE_HIGHP float w = exp2(exponent * (d * 2.0 - 1.0));
+    UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_HIGHP float variance = max(m.y - m.x * m.x, least * least);
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, w - m.x, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+` };
+
+export const decode_evsm4_hardware = { language, name: "decode_evsm4_hardware", summary: "mean of texels of four components to visibility, by the GPU's own exp2",
+    exactness: "c", operations: 0, within: 0.015625, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [chebyshev_hardware, to_forward_depth], text: `
+// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
+                                                  UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations,
+                                                  UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float w = exp2(exponents.x * d);
+    UMBRAGE_HIGHP float n = 0.0 - exp2((0.0 - exponents.y) * d);
+    UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
+    UMBRAGE_HIGHP float growing = max(m.y - m.x * m.x, least.x * least.x);
+    UMBRAGE_HIGHP float falling = max(m.w - m.z * m.z, least.y * least.y);
+    UMBRAGE_HIGHP float a = umbrage_chebyshev_hardware(growing, w - m.x, amount);
+    UMBRAGE_HIGHP float b = umbrage_chebyshev_hardware(falling, n - m.z, amount);
+    return abs(receiver) < 1048576.0 ? min(a, b) : 0.0;
+}
+` };
+
+export const blur_row3 = { language, name: "blur_row3", summary: "mean of texels in a row",
+    exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [fetch_clamped], text: `
+// umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+UMBRAGE_HIGHP vec4 umbrage_blur_row3(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                     UMBRAGE_HIGHP vec2 along) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * (2.0 / 4.0);
+    UMBRAGE_HIGHP vec4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    UMBRAGE_HIGHP vec4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (1.0 / 4.0);
+    return sum;
+}
+` };
+
+export const blur_row5 = { language, name: "blur_row5", summary: "mean of texels in a row",
+    exactness: "b", operations: 12, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [fetch_clamped], text: `
+// umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+UMBRAGE_HIGHP vec4 umbrage_blur_row5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                     UMBRAGE_HIGHP vec2 along) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * (6.0 / 16.0);
+    UMBRAGE_HIGHP vec4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    UMBRAGE_HIGHP vec4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (4.0 / 16.0);
+    UMBRAGE_HIGHP vec4 before2 = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    UMBRAGE_HIGHP vec4 after2 = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (1.0 / 16.0);
+    return sum;
+}
+` };
+
+export const blur_row7 = { language, name: "blur_row7", summary: "mean of texels in a row",
+    exactness: "b", operations: 17, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [fetch_clamped], text: `
+// umbrage_blur_row7: mean of 7 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+UMBRAGE_HIGHP vec4 umbrage_blur_row7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                     UMBRAGE_HIGHP vec2 along) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * (20.0 / 64.0);
+    UMBRAGE_HIGHP vec4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    UMBRAGE_HIGHP vec4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (15.0 / 64.0);
+    UMBRAGE_HIGHP vec4 before2 = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    UMBRAGE_HIGHP vec4 after2 = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (6.0 / 64.0);
+    UMBRAGE_HIGHP vec4 before3 = umbrage_fetch_clamped(map, size, texel - along * 3.0);
+    UMBRAGE_HIGHP vec4 after3 = umbrage_fetch_clamped(map, size, texel + along * 3.0);
+    sum = sum + (before3 + after3) * (1.0 / 64.0);
+    return sum;
+}
+` };
+
+export const halve_texels = { language, name: "halve_texels", summary: "mean of 2x2 texels",
+    exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [fetch_clamped], text: `
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+UMBRAGE_HIGHP vec4 umbrage_halve_texels(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                        UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 at = texel * 2.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, at);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, at + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, at + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, at + vec2(1.0, 1.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = (a + b) + (c + d);
+    return sum * 0.25;
+}
+` };
+
+export const texels_to_world = { language, name: "texels_to_world", summary: "texels across a light as world units",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+UMBRAGE_HIGHP float umbrage_texels_to_world(UMBRAGE_HIGHP float texels, UMBRAGE_HIGHP vec2 units,
+                                            UMBRAGE_HIGHP float w) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float world = texels * units.x * w;
+    return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;
+}
+` };
+
+export const clamp_bias = { language, name: "clamp_bias", summary: "clamp of a bias to [0, 1], NaN to 1",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+UMBRAGE_HIGHP float umbrage_clamp_bias(UMBRAGE_HIGHP float bias) {
+    UMBRAGE_HIGHP float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+` };
+
+export const world_to_depth = { language, name: "world_to_depth", summary: "world units along a light as depth",
+    exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_bias], text: `
+// umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+UMBRAGE_HIGHP float umbrage_world_to_depth(UMBRAGE_HIGHP float world, UMBRAGE_HIGHP vec2 units,
+                                           UMBRAGE_HIGHP float w) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = world * units.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = w * w;
+    return umbrage_clamp_bias(along / square);
+}
+` };
+
+export const biased = { language, name: "biased", summary: "receiver moved towards the light",
+    exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+UMBRAGE_HIGHP float umbrage_biased(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float bias) {
+    UMBRAGE_HIGHP float by = abs(bias) < 18446744073709551616.0 ? bias : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? receiver - by : receiver + by;
+}
+` };
+
+export const clamp_slope = { language, name: "clamp_slope", summary: "clamp of a slope to [-2, 2], NaN to 2",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
+    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+` };
+
+export const plane_slope = { language, name: "plane_slope", summary: "change of a plane's depth from texel to texel",
+    exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_slope], text: `
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                       UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
+                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
+    return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+` };
+
+export const receiver_slope = { language, name: "receiver_slope", summary: "change of a receiver's depth from texel to texel",
+    exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [plane_slope], text: `
+// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                          UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? vec2(0.0, 0.0) : slope;
+}
+` };
+
+export const cascade_slope = { language, name: "cascade_slope", summary: "change of a plane's depth from texel to texel of a cascade",
+    exactness: "c", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_slope], text: `
+// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
+//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
+    return none ? vec2(0.0, 0.0) : slope;
+}
+` };
+
+export const slope_bias = { language, name: "slope_bias", summary: "bias by the greater slope, as rasterizers have it",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_bias], text: `
+// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float factor,
+                                       UMBRAGE_HIGHP float base) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 bias = abs(slope) * factor + base;
+    UMBRAGE_HIGHP float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    UMBRAGE_HIGHP float y = umbrage_clamp_bias(bias.y);
+    return x > y ? x : y;
+}
+` };
+
+export const dual_paraboloid_slope = { language, name: "dual_paraboloid_slope", summary: "change of distance from texel to texel of a paraboloid's map",
+    exactness: "c", operations: 41, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_slope], text: `
+// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
+//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+UMBRAGE_HIGHP vec2 umbrage_dual_paraboloid_slope(UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal,
+                                                 UMBRAGE_HIGHP float per_texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = way.x * way.x + way.y * way.y + way.z * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * way.z - normal.z * way.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * way.x - normal.x * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * way.y - normal.y * way.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float across = x * x + y * y + z * z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float wide = (sqrt(square) + abs(way.z)) * (per_texel * 0.707106781);
+    UMBRAGE_HIGHP float slope = umbrage_clamp_slope(wide * sqrt(across) / abs(along));
+    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    return none ? vec2(0.0, 0.0) : vec2(slope, slope);
+}
+` };
+
+export const normal_offset = { language, name: "normal_offset", summary: "way off a surface to the point that is looked up in its place",
+    exactness: "c", operations: 91, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
+//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+UMBRAGE_HIGHP vec3 umbrage_normal_offset(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction,
+                                         UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP float width,
+                                         UMBRAGE_HIGHP float error_world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float straight = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = width * sqrt(square) + error_world * abs(straight);
+    UMBRAGE_HIGHP vec3 offset = normal * along;
+    return abs(offset.x) + abs(offset.y) + abs(offset.z) < 18446744073709551616.0 ? offset : vec3(0.0, 0.0, 0.0);
+}
+` };
+
+export const kernel_bias = { language, name: "kernel_bias", summary: "bias by the kernel's width and the angle at which light falls",
+    exactness: "c", operations: 30, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 way,
+                                        UMBRAGE_HIGHP float width, UMBRAGE_HIGHP float greatest) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
+    UMBRAGE_HIGHP float sine = sqrt(square);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge = cosine * greatest;
+    UMBRAGE_HIGHP float tangent = edge > sine ? sine / cosine : greatest;
+    UMBRAGE_HIGHP float bias = width * tangent;
+    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
+}
+` };
+
+export const receiver_plane_slope = { language, name: "receiver_plane_slope", summary: "slope of a receiver's plane from derivatives, and how far it may be off",
+    exactness: "c", operations: 31, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_slope], text: `
+// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_x = dy.y * dx.z + dx.y * -dy.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_y = dx.x * dy.z + dy.x * -dx.z;
+    UMBRAGE_HIGHP float a = umbrage_clamp_slope(along_x / determinant);
+    UMBRAGE_HIGHP float b = umbrage_clamp_slope(along_y / determinant);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = ((1.0 / 33554432.0) + (abs(a) + abs(b)) * (1.0 / 8192.0)) * 3.3;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = off * (sum / abs(determinant));
+    UMBRAGE_HIGHP float least = sum * (1.0 / 1024.0);
+    bool known = abs(determinant) > least && sum < 18446744073709551616.0;
+    return known ? vec3(a, b, umbrage_clamp_slope(error)) : vec3(0.0, 0.0, 0.0);
+}
+` };
+
+export const apply_receiver_plane = { language, name: "apply_receiver_plane", summary: "stored depth moved along the receiver's plane to the receiver",
+    exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+                                                 UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
+    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
+    return cleared ? stored : depth;
+}
+` };
+
+export const acne_free_bias = { language, name: "acne_free_bias", summary: "smallest bias without acne, for a slope, a reach and an encoding's error",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_bias], text: `
+// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   reach  of the filter, texels
+//   error  how far a decoded depth may lie before the true one
+UMBRAGE_HIGHP float umbrage_acne_free_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float reach,
+                                           UMBRAGE_HIGHP float error) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float bias =
+        reach * (abs(slope.x) + abs(slope.y)) + (error + (1.0 / 8388608.0));
+    return umbrage_clamp_bias(bias);
+}
+` };
+
+export const acne_free_disc_bias = { language, name: "acne_free_disc_bias", summary: "smallest bias without acne, for filters that read a disc",
+    exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_bias], text: `
+// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
+//   error   how far a decoded depth may lie before the true one
+UMBRAGE_HIGHP float umbrage_acne_free_disc_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float radius,
+                                                UMBRAGE_HIGHP float error) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = slope.x * slope.x + slope.y * slope.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float beside =
+        (abs(slope.x) + abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float bias = radius * sqrt(square) + beside;
+    return umbrage_clamp_bias(bias);
+}
+` };
+
+export const peter_panning_distance = { language, name: "peter_panning_distance", summary: "depth before a receiver within which its bias loses a caster's shadow",
+    exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [acne_free_bias], text: `
+// umbrage_peter_panning_distance: a caster nearer to the receiver loses its shadow, or a part of it; depth, 0.0 to 1.0
+//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
+//   reach  of the filter, texels
+UMBRAGE_HIGHP float umbrage_peter_panning_distance(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP vec2 caster_slope,
+                                       UMBRAGE_HIGHP float reach) {
+    return umbrage_acne_free_bias(caster_slope, reach, bias);
+}
+` };
+
+export const spot_cone = { language, name: "spot_cone", summary: "1 inside a spot light's cone",
+    exactness: "b", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
+//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
+UMBRAGE_HIGHP float umbrage_spot_cone(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 to_point,
+                                      UMBRAGE_HIGHP float cos_outer) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d =
+        direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float length2 =
+        to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge2 = cos_outer * cos_outer * length2;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d2 = d * d;
+    return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
+}
+` };
+
+export const diffuse_ambient = { language, name: "diffuse_ambient", summary: "diffuse plus ambient light of a surface",
+    exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
+UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
+                                           UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
+}
+` };
+
+export const false_color = { language, name: "false_color", summary: "0..1 to blue, green, red",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [saturate], text: `
+// umbrage_false_color: blue for 0.0, through green, to red for 1.0
+UMBRAGE_HIGHP vec3 umbrage_false_color(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float x = umbrage_saturate(v) * 4.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 ramp = 1.5 - abs(vec3(x - 3.0, x - 2.0, x - 1.0));
+    return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
+}
+` };
+
+export const overlay_texel = { language, name: "overlay_texel", summary: "which texel of a map stretched over the picture's corner a pixel shows, along one side",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
+//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
+UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
+                                          UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {
+    UMBRAGE_HIGHP float texel = floor(coord * texels_per_pixel - 0.5);
+    texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
+    return coord >= 0.0 && coord < size ? texel : -1.0;
+}
+` };

@@ -1,0 +1,4 @@
+export const language = {
+    name: "HLSL", preprocessor: true, may_reorder: "",
+    prelude: ``,
+};

@@ -1,0 +1,89 @@
+// umbrage 0.1.0, MIT License. Types that all languages share.
+
+/** What a snippet's text is in; those of one language do not go with those of another. */
+export type Language = 'glsl' | 'hlsl' | 'msl' | 'wgsl';
+
+/** How exactly a text and the C++ functions of its names agree: a to the bit, b to the bit in written order and
+ *  elsewhere within n 2^-23 S (n is `operations`, S the formula with magnitudes), c within that bound or `within`. */
+export type Exactness = 'a' | 'b' | 'c';
+
+declare const is_of: unique symbol;
+
+/** One function, as text, and what is known of it. */
+export interface SnippetOf<L extends Language> {
+    readonly [is_of]: L;
+    readonly name: string;
+    readonly summary: string;
+    /** The worst tier of what it holds and needs, unbound. */
+    readonly exactness: Exactness;
+    readonly operations: number;
+    readonly within: number;
+    /** `within` holds in written order alone. */
+    readonly as_written: boolean;
+    /** The oldest GLSL that has it; every dialect where it is 100. */
+    readonly lowest: '100' | '300 es';
+    readonly needs: readonly SnippetOf<L>[];
+    /** The function for a 2D texture of depths, without what it needs. */
+    readonly text: string;
+}
+
+/** What a map's texels lie in. */
+export type Texture =
+    'texture_2d' | 'atlas' | 'array' | 'cube' | 'cube_faces' | 'integer' | 'depth' | 'depth_array' | 'shadow' | 'shadow_array';
+
+/** A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language. */
+export interface BindingOf<L extends Language> {
+    texture?: Texture;
+    direction?: 'forward' | 'reversed';
+    /** Outside the map texels count as the far plane, lit, or as the nearest ones inside. Left out: bordered, but
+     *  clamped for tiles, regions and faces of cubes. */
+    outside?: 'bordered' | 'clamped';
+    /** 2x2 texels at once; the sampler must clamp to the edge, but for regions. */
+    gather?: boolean;
+    /** Of `value`, four floats, as "umbrage_decode_rg11(value.xy, 1.0)"; else value.x. Where nothing is gathered
+     *  also of `texel`, two floats, the number that was asked for. */
+    depth?: string;
+    /** How many components of `value` it reads. */
+    channels?: number;
+    /** Of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Left out: by direction. With one's own
+     *  no receiver is beyond the far plane. */
+    compare?: string;
+    /** Moves each depth along the receiver's plane: functions take the plane's slope and the receiver's coordinate, two
+     *  floats each, behind the map. Not where texels are gathered or compared by the sampler. */
+    receiver_plane?: boolean;
+    /** The map's first texel in the texture: two floats. */
+    origin?: string;
+    /** For regions of textures that are read by coordinates: two floats. */
+    texture_size?: string;
+    /** In place of the texture's: what stands for the map in declarations, in calls, and a texel `at`. */
+    parameters?: string;
+    arguments?: string;
+    texel?: string;
+    /** What these texts call. */
+    needs?: readonly SnippetOf<L>[];
+}
+
+/** A map of texels in an encoding, and how they come about: without blending, of one sample, in a target that is not sRGB. */
+export interface EncodingOf<L extends Language> extends Readonly<BindingOf<L>> {
+    /** What makes a texel of a depth. */
+    readonly writer: SnippetOf<L>;
+    /** What it returns: a depth for a float target; integer channels, of which to_unorm makes values; values for a UNORM
+     *  target. */
+    readonly writes: 'depth' | 'integers' | 'values';
+    /** Of integer channels: what makes them the values to write. */
+    readonly to_unorm?: SnippetOf<L>;
+    /** The target's format, as OpenGL calls it: RG8, R16, RGB10_A2, ... */
+    readonly format: string;
+    /** What the target is cleared to: where nothing is drawn all is lit. Channels that the texel lacks are 0. */
+    readonly cleared: readonly [number, number, number, number];
+}
+
+/** An encoding of depths that are 0 at the far plane. */
+export type WithReversed<E> = E & { readonly reversed: E };
+
+export interface BoundOf<L extends Language> {
+    readonly what: SnippetOf<L>;
+    readonly suffix: string;
+}
+
+export type EncodingName = 'depth32f' | 'rg9' | 'rg10' | 'rg11' | 'rg12' | 'rg13' | 'rg14' | 'rg15' | 'rg16' | 'rgb24' | 'rgb10' | 'r16' | 'float_bits' | 'threejs_rgba' | 'threejs_rgb' | 'threejs_rg' | 'threejs_legacy' | 'threejs_legacy_repaired' | 'base255' | 'base255_repaired';

@@ -1,0 +1,67 @@
+// GLSL's dialects: which of them a text suits, and what it is in one.
+const { has_region } = require('./bind.cjs');
+const { as_item, compose } = require('./compose.cjs');
+const { language } = require('./glsl/language.cjs');
+
+const versions = ['100', '110', '120', '130', '150', '300 es', '310 es', '320 es', '330', '430', '450', '460'];
+
+const has_gathers = ['310 es', '320 es', '430', '450', '460'];
+const in_every_dialect = ['texture_2d', 'depth', 'atlas', 'cube', 'cube_faces'];
+
+/** True when the snippet, or the snippet bound to its map, compiles in a dialect of GLSL. */
+function supports(item, version) {
+    const { what, map } = as_item(language, item), is_new = versions.indexOf(version) >= versions.indexOf('300 es');
+    if (![what, ...(map?.needs ?? [])].every(s => s.lowest === '100' || is_new)) return false;
+    if (map === undefined) return true;
+    if (map.gather) return has_gathers.includes(version);
+    if (has_region(map) && map.texture_size === '' && ['100', '110', '120'].includes(version)) return false;
+    return is_new || in_every_dialect.includes(map.texture);
+}
+
+/** The text with what __VERSION__ decides decided. */
+function resolved(text, number) {
+    const open = [];  // 'kept': directive and all
+    let out = '';
+    for (const line of text.match(/.*\n/g)) {
+        let shown = true;
+        const least = line.match(/^#if __VERSION__ >= (\d+)/)?.[1];
+        if (least) {
+            open.push(number >= least ? 'taken' : 'left out');
+            shown = false;
+        } else if (line.startsWith('#if')) open.push('kept');
+        else if (line.startsWith('#else') && open.at(-1) !== 'kept') {
+            open.push(open.pop() === 'taken' ? 'left out' : 'taken');
+            shown = false;
+        } else if (line.startsWith('#endif')) shown = open.pop() === 'kept';
+        if (shown && !open.includes('left out')) out += line;
+    }
+    return out;
+}
+
+/** A GLSL text of the snippets and all they need, to paste into any shader, or into one of the version. */
+function text(items, version) {
+    if (version === undefined) return compose(language, items);
+    if (!versions.includes(version)) throw new Error(`umbrage: text: version must be one of versions; got ${version}`);
+    for (const item of items)
+        if (!supports(item, version)) {
+            const { what, suffix } = as_item(language, item);
+            throw new Error(`umbrage: text: version must be one that has ${what.name}${suffix}; got ${version}`);
+        }
+    const number = parseInt(version), es = version === '100' || version.endsWith('es'), has_precise = number >= (es ? 320 : 400);
+    const prelude = `\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP${es ? ' highp' : ''}\n#endif\n`
+        + `#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE${has_precise ? ' precise' : ''}\n#endif\n`;
+    return resolved(compose(language, items, { prelude, may_reorder: has_precise ? '' : `GLSL ${version}` }), number);
+}
+
+/** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
+function source(version, items, preamble = '') {
+    if (preamble !== '' && !preamble.endsWith('\n')) preamble += '\n';
+    return `#version ${version}\n${preamble}${text(items, version)}`;
+}
+
+module.exports = {
+    versions,
+    supports,
+    text,
+    source,
+};

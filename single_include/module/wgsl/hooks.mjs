@@ -1,0 +1,324 @@
+import { language } from './language.mjs';
+import * as snippets from './snippets.mjs';
+
+const cleared_depth_reversed = { name: "cleared_depth", role: "chosen", needs: [],
+    text: `
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 0.0;
+}
+` };
+const map_covers_clamped = { name: "map_covers", role: "chosen", needs: [],
+    text: `
+// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
+    return true;
+}
+` };
+const beyond_far_plane_reversed = { name: "beyond_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
+    return receiver < 0.0;
+}
+` };
+const beyond_far_plane_without = { name: "beyond_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
+    return false;
+}
+` };
+const within_far_plane_reversed = { name: "within_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+fn umbrage_within_far_plane(receiver: f32) -> bool {
+    return receiver >= 0.0;
+}
+` };
+const within_far_plane_without = { name: "within_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
+fn umbrage_within_far_plane(receiver: f32) -> bool {
+    // a sum of choices, not an or of comparisons, which compilers take for true
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return number > 0.5;
+}
+` };
+const compare_reversed = { name: "compare", role: "chosen", needs: [],
+    text: `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver >= stored);
+}
+` };
+const compare_own = { name: "compare", role: "chosen", needs: [],
+    text: `
+// umbrage_compare: visibility of one comparison, the map's own
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return UMBRAGE_COMPARE;
+}
+` };
+const decode = { name: "decode", role: "chosen", needs: [],
+    text: `
+// umbrage_decode: depth of a value that the sampler gave
+fn umbrage_decode(value: vec4f) -> f32 {
+    return UMBRAGE_DEPTH;
+}
+` };
+const fetch_depth_clamped = { name: "fetch_depth", role: "chosen", needs: [snippets.fetch_clamped],
+    text: `
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
+    let value: vec4f = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
+}
+` };
+const lit_texel = { name: "lit_texel", role: "chosen", needs: [],
+    text: `
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+fn umbrage_lit_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let lit: f32 = UMBRAGE_LIT_TEXEL;
+    return select(0.0, lit, receiver > 0.0) + select(0.0, lit, receiver <= 0.0);
+}
+` };
+const lit_clamped = { name: "lit", role: "chosen", needs: [lit_texel],
+    text: `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_lit_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
+}
+` };
+const lit_bordered = { name: "lit", role: "chosen", needs: [lit_texel, snippets.compare],
+    text: `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let lit: f32 = umbrage_lit_texel(map, size, inside, receiver);
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    return select(outside, lit, inside.x == texel.x && inside.y == texel.y);
+}
+` };
+const gather_lit_compared = { name: "gather_lit", role: "gather_lit", needs: [],
+    text: `
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let lit: vec4f = UMBRAGE_GATHER_LIT;
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return vec4f(lit.w, lit.z, lit.x, lit.y) * number;
+}
+` };
+const gather_lit_one_channel = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+    text: `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let r: vec4f = UMBRAGE_GATHER_RED;
+    let a: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.w, 0.0, 0.0, 0.0)));
+    let b: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.z, 0.0, 0.0, 0.0)));
+    let c: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.x, 0.0, 0.0, 0.0)));
+    let d: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.y, 0.0, 0.0, 0.0)));
+    return vec4f(a, b, c, d);
+}
+` };
+const gather_lit_two_channels = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+    text: `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let r: vec4f = UMBRAGE_GATHER_RED;
+    let g: vec4f = UMBRAGE_GATHER_GREEN;
+    let a: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.w, g.w, 0.0, 0.0)));
+    let b: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.z, g.z, 0.0, 0.0)));
+    let c: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.x, g.x, 0.0, 0.0)));
+    let d: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.y, g.y, 0.0, 0.0)));
+    return vec4f(a, b, c, d);
+}
+` };
+const lit_2x2_gathered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+` };
+const lit_2x2_gathered_in_a_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
+    let low: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0) - first;
+    let high: vec2f = clamp(texel + 1.0, vec2f(0.0, 0.0), size - 1.0) - first;
+    let lit: vec4f = umbrage_gather_lit(map, size, first, receiver);
+    let left: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), low.x > 0.5);
+    let right: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), high.x > 0.5);
+    let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
+    let top: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), high.y > 0.5);
+    return vec4f(bottom.x, bottom.y, top.x, top.y);
+}
+` };
+const lit_2x2_gathered_and_bordered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane, whatever the sampler has there
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let lit: vec4f = umbrage_gather_lit(map, size, texel, receiver);
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    let a: f32 = select(outside, lit.x, umbrage_inside_map(size, texel));
+    let b: f32 = select(outside, lit.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
+    let c: f32 = select(outside, lit.z, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
+    let d: f32 = select(outside, lit.w, umbrage_inside_map(size, texel + vec2f(1.0, 1.0)));
+    return vec4f(a, b, c, d);
+}
+` };
+const lit_2x2_gathered_in_a_bordered_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane: the gather stays inside
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
+    let low: vec2f = texel - first;
+    let lit: vec4f = umbrage_gather_lit(map, size, first, receiver);
+    let left: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), low.x > 0.5);
+    let right: vec2f = select(vec2f(lit.y, lit.w), vec2f(lit.x, lit.z), low.x < -0.5);
+    let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
+    let top: vec2f = select(vec2f(left.y, right.y), vec2f(left.x, right.x), low.y < -0.5);
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    let a: f32 = select(outside, bottom.x, umbrage_inside_map(size, texel));
+    let b: f32 = select(outside, bottom.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
+    let c: f32 = select(outside, top.x, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
+    let d: f32 = select(outside, top.y, umbrage_inside_map(size, texel + vec2f(1.0, 1.0)));
+    return vec4f(a, b, c, d);
+}
+` };
+const lit_filtered_clamped = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane],
+    text: `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
+//   coord  in texels, no NaN
+fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let uv: vec2f = UMBRAGE_UV;
+    let lit: f32 = UMBRAGE_LIT_FILTERED;
+    return select(0.0, lit, umbrage_within_far_plane(receiver));
+}
+` };
+const lit_filtered_bordered = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane, snippets.compare],
+    text: `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
+//   NaN is in shadow
+//   coord  in texels, no NaN
+fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let uv: vec2f = UMBRAGE_UV;
+    let lit: f32 = UMBRAGE_LIT_FILTERED;
+    let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    return select(0.0, outside + inside.x * inside.y * (lit - outside), umbrage_within_far_plane(receiver));
+}
+` };
+const lit_at_sampled = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    return UMBRAGE_LIT_FILTERED;
+}
+` };
+const lit_at_sampled_and_bordered = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.compare],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    let lit: f32 = UMBRAGE_LIT_FILTERED;
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+` };
+const depth_at_sampled = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
+    text: `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
+    return umbrage_decode(UMBRAGE_SAMPLED);
+}
+` };
+const depth_at_sampled_and_bordered = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
+    text: `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
+    let depth: f32 = umbrage_decode(UMBRAGE_SAMPLED);
+    return select(UMBRAGE_BORDER, depth, abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5);
+}
+` };
+
+export const hooks = {
+    language,
+    receiver_plane: "receiver_slope: vec2f, receiver_coord: vec2f", apply_receiver_plane: snippets.apply_receiver_plane,
+    textures: {
+        texture_2d: { parameters: "map: texture_2d<f32>", arguments: "map", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        array: { parameters: "map: texture_2d_array<f32>, layer: f32", arguments: "map, layer", texel: "textureLoad(map, vec2i(at), i32(layer), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, i32(layer), 0.0)", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        cube: { parameters: "map: texture_cube<f32>, map_sampler: sampler, face: f32", arguments: "map, map_sampler, face", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", size: "vec2f(textureDimensions(map))", needs: [snippets.cube_direction] },
+        cube_faces: { parameters: "map: texture_cube<f32>, map_sampler: sampler", arguments: "map, map_sampler", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)", size: "vec2f(textureDimensions(map))", needs: [snippets.cube_atlas_direction] },
+        integer: { parameters: "map: texture_2d<u32>", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", size: "vec2f(textureDimensions(map))", needs: [] },
+        depth: { parameters: "map: texture_depth_2d", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", sampled: "vec4f(textureSampleLevel(map, map_sampler, uv, 0))", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        depth_array: { parameters: "map: texture_depth_2d_array, layer: f32", arguments: "map, layer", texel: "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))", sampled: "vec4f(textureSampleLevel(map, map_sampler, uv, i32(layer), 0))", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        shadow: { parameters: "map: texture_depth_2d, map_sampler: sampler_comparison", arguments: "map, map_sampler", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, uv, receiver)", size: "vec2f(textureDimensions(map))", needs: [] },
+        shadow_array: { parameters: "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32", arguments: "map, map_sampler, layer", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, uv, i32(layer), receiver)", size: "vec2f(textureDimensions(map))", needs: [] },
+    },
+    unfilled: {
+        texel: `
+// umbrage_texel: value of a texel inside the map
+//   map    where its texels lie; a sampler that reads them filters by nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+fn umbrage_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
+        fetch_depth: `
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let value: vec4f = umbrage_texel(map, size, inside);
+    let depth: f32 = UMBRAGE_DEPTH;
+    return select(UMBRAGE_BORDER, depth, inside.x == texel.x && inside.y == texel.y);
+}
+`,
+    },
+    chosen: {
+        "cleared_depth, reversed": cleared_depth_reversed,
+        "map_covers, clamped": map_covers_clamped,
+        "beyond_far_plane, reversed": beyond_far_plane_reversed,
+        "beyond_far_plane, without": beyond_far_plane_without,
+        "within_far_plane, reversed": within_far_plane_reversed,
+        "within_far_plane, without": within_far_plane_without,
+        "compare, reversed": compare_reversed,
+        "compare, own": compare_own,
+        "decode": decode,
+        "fetch_depth, clamped": fetch_depth_clamped,
+        "lit_texel": lit_texel,
+        "lit, clamped": lit_clamped,
+        "lit, bordered": lit_bordered,
+        "gather_lit, compared": gather_lit_compared,
+        "gather_lit, one channel": gather_lit_one_channel,
+        "gather_lit, two channels": gather_lit_two_channels,
+        "lit_2x2, gathered": lit_2x2_gathered,
+        "lit_2x2, gathered in a region": lit_2x2_gathered_in_a_region,
+        "lit_2x2, gathered and bordered": lit_2x2_gathered_and_bordered,
+        "lit_2x2, gathered in a bordered region": lit_2x2_gathered_in_a_bordered_region,
+        "lit_filtered, clamped": lit_filtered_clamped,
+        "lit_filtered, bordered": lit_filtered_bordered,
+        "lit_at, sampled": lit_at_sampled,
+        "lit_at, sampled and bordered": lit_at_sampled_and_bordered,
+        "depth_at, sampled": depth_at_sampled,
+        "depth_at, sampled and bordered": depth_at_sampled_and_bordered,
+    },
+};

@@ -1,0 +1,4 @@
+export const language = {
+    name: "WGSL", preprocessor: false, may_reorder: "WGSL",
+    prelude: ``,
+};

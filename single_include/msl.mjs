@@ -1,0 +1,21 @@
+// umbrage 0.1.0, MIT License. Shadow mapping functions as texts in MSL.
+//
+//     import * as msl from 'umbrage/msl';
+//     const shader = msl.text([msl.bind(msl.pcf_2x2, 'sun', { texture: 'array' })]) + my_main;
+//
+// Written by the C++ library's build, with which every text agrees to the character.
+import { bind_in } from './module/bind.mjs';
+import { compose, exactness_in } from './module/compose.mjs';
+import { hooks } from './module/msl/hooks.mjs';
+import { language } from './module/msl/language.mjs';
+
+/** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
+export const bind = /*#__PURE__*/ bind_in(hooks);
+/** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
+export const exactness = items => exactness_in(language, items);
+/** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
+export const text = items => compose(language, items);
+export * from './module/msl/encodings.mjs';
+export * from './module/msl/snippets.mjs';
+export * as encodings from './module/msl/encodings.mjs';
+export * as snippets from './module/msl/snippets.mjs';

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// What a page carries that calls one function: bundled and minified, its text twice and 2 kB at most.
+//     node bundle_test.mjs ROOT FOLDER NODE_MODULES
+import { existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const [root, folder, node_modules] = process.argv.slice(2).map(path => resolve(path));
+const required = createRequire(join(node_modules, 'x.js'));
+rmSync(folder, { recursive: true, force: true });
+mkdirSync(join(folder, 'node_modules'), { recursive: true });
+symlinkSync(root, join(folder, 'node_modules/umbrage'));
+const { exports } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+
+const programs = {
+    one: [`import { pcf_2x2, source } from 'umbrage'; globalThis.text = source('300 es', [pcf_2x2]);`, 2],
+    wgsl: [`import * as wgsl from 'umbrage/wgsl'; globalThis.text = wgsl.text([wgsl.pcf_2x2]);`, 2],
+    hlsl: [`import { pcf_2x2, text } from 'umbrage/hlsl'; globalThis.text = text([pcf_2x2]);`, 2],
+    // Which function a map has is known when the program runs: it carries those of every kind of map.
+    bound: [`import { bind, pcf_2x2, source } from 'umbrage';
+        globalThis.text = source('300 es', [bind(pcf_2x2, 'sun', { texture: 'array' })]);`, 9],
+};
+
+/** The bundle's text of each bundler. */
+const bundlers = {
+    async esbuild(input) {
+        const { outputFiles } = await required('esbuild').build(
+            { entryPoints: [input], bundle: true, minify: true, format: 'esm', write: false, logLevel: 'error' });
+        return outputFiles[0].text;
+    },
+    async rollup(input) {
+        const resolveId = id => id.startsWith('umbrage')
+            ? { id: join(root, exports[id.replace('umbrage', '.')].default.default), moduleSideEffects: false } : null;
+        const bundle = await required('rollup').rollup({ input, plugins: [{ name: 'package', resolveId }] });
+        const { output } = await bundle.generate({ format: 'es' });
+        return (await required('terser').minify(output[0].code, { module: true })).code;
+    },
+    async webpack(input) {
+        const output = { path: folder, filename: 'webpack.out.js' };
+        const compiler = required('webpack')({ mode: 'production', entry: input, context: folder, output, performance: false });
+        const stats = await new Promise((done, failed) => compiler.run((error, stats) => error ? failed(error) : done(stats)));
+        if (stats.hasErrors()) throw new Error(stats.toString());
+        return readFileSync(join(folder, output.filename), 'utf8');
+    },
+    async vite(input) {
+        const { build } = await import(pathToFileURL(join(node_modules, 'vite/dist/node/index.js')).href);
+        const { output } = await build({ root: folder, configFile: false, logLevel: 'error',
+            build: { write: false, modulePreload: false, rollupOptions: { input } } });
+        return output[0].code;
+    },
+};
+const needs = { rollup: ['terser'] };
+
+let tried = 0, failed = 0;
+for (const [name, bundle] of Object.entries(bundlers)) {
+    const missing = [name, ...needs[name] ?? []].filter(module => !existsSync(join(node_modules, module)));
+    if (missing.length) {
+        console.log(`SKIPPED ${name}: no ${missing.join(', ')} in ${node_modules}`);
+        continue;
+    }
+    for (const [program, [code, times]] of Object.entries(programs)) {
+        const input = join(folder, `${program}.js`);
+        writeFileSync(input, code);
+        const bundled = await bundle(input), file = join(folder, `${name}.${program}.mjs`);
+        writeFileSync(file, bundled);
+        await import(pathToFileURL(file).href);
+        const size = Buffer.byteLength(bundled), limit = times * globalThis.text.length + 2048;
+        const good = globalThis.text.includes('umbrage_pcf_2x2') && size <= limit;
+        console.log(`${good ? 'ok' : 'FAILED'}: ${name}, ${program}: ${size} bytes for a text of ${globalThis.text.length}, at most ${limit}`);
+        delete globalThis.text;
+        ++tried;
+        failed += !good;
+    }
+}
+process.exitCode = failed ? 1 : tried ? 0 : 77;

@@ -1,0 +1,21 @@
+// umbrage @version@, MIT License. Shadow mapping functions as texts in GLSL; umbrage/wgsl, umbrage/hlsl and umbrage/msl
+// have the same names in the other languages.
+//
+//     import { bind, pcf_2x2, source } from 'umbrage';
+//     const fragment = source('300 es', [bind(pcf_2x2, 'sun', { texture: 'array' })]) + my_main;
+//
+// Written by the C++ library's build, with which every text agrees to the character.
+import { bind_in } from './module/bind.mjs';
+import { exactness_in } from './module/compose.mjs';
+import { hooks } from './module/glsl/hooks.mjs';
+import { language } from './module/glsl/language.mjs';
+
+/** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
+export const bind = /*#__PURE__*/ bind_in(hooks);
+/** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
+export const exactness = items => exactness_in(language, items);
+export { source, supports, text, versions } from './module/versions.mjs';
+export * from './module/glsl/encodings.mjs';
+export * from './module/glsl/snippets.mjs';
+export * as encodings from './module/glsl/encodings.mjs';
+export * as snippets from './module/glsl/snippets.mjs';

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// The package's types, by TypeScript at its strictest: what is right compiles, what is wrong does not.
+//     node types_test.mjs ROOT FOLDER NODE_MODULES
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+
+const [root, folder, node_modules] = process.argv.slice(2).map(path => resolve(path));
+const tsc = join(node_modules, 'typescript/bin/tsc');
+if (!existsSync(tsc)) {
+    console.log(`SKIPPED: no typescript in ${node_modules}`);
+    process.exit(77);
+}
+rmSync(folder, { recursive: true, force: true });
+mkdirSync(join(folder, 'node_modules'), { recursive: true });
+symlinkSync(root, join(folder, 'node_modules/umbrage'));
+
+const program = `
+import { bind, box, encodings, exactness, pcf_2x2, rg11, snippets, source, supports, text, versions } from 'umbrage';
+import type { Binding, Bound, Encoding, Exactness, Snippet, Texture, Version } from 'umbrage';
+import * as hlsl from 'umbrage/hlsl';
+import * as msl from 'umbrage/msl';
+import * as wgsl from 'umbrage/wgsl';
+
+const version: Version = versions[0] ?? '300 es', texture: Texture = 'array', map: Binding = { texture, gather: true };
+const item: Bound = bind(pcf_2x2, 'sun', map), packed: Encoding = encodings.rg11, tier: Exactness = exactness([item, box]);
+const by_name: Snippet | undefined = snippets['box'], cleared: number = rg11.reversed.cleared[0];
+export const all: string[] = [source(version, [item]), text([bind(box, '', packed)], '450'), tier, String(cleared),
+    String(by_name?.needs.length), String(supports(item, version))];
+const in_wgsl: wgsl.Bound = wgsl.bind(wgsl.box, 'sun', wgsl.rg11.reversed);
+all.push(wgsl.text([wgsl.pcf_2x2, in_wgsl]), hlsl.text([hlsl.pcf_2x2]), msl.text([]), wgsl.exactness([wgsl.box]));
+
+// @ts-expect-error another language's
+wgsl.text([pcf_2x2]);
+// @ts-expect-error another language's, bound
+text([in_wgsl]);
+// @ts-expect-error another language's encoding
+bind(pcf_2x2, 'sun', wgsl.rg11);
+// @ts-expect-error no such texture
+bind(pcf_2x2, 'sun', { texture: '3d' });
+// @ts-expect-error no such property
+bind(pcf_2x2, 'sun', { size: 3 });
+// @ts-expect-error no such version
+source('200', [pcf_2x2]);
+// @ts-expect-error WGSL has no versions
+wgsl.text([wgsl.pcf_2x2], '450');
+// @ts-expect-error constants
+rg11.format = 'R8';
+// @ts-expect-error no such encoding
+encodings.rg17;
+`;
+writeFileSync(join(folder, 'import.mts'), program);
+writeFileSync(join(folder, 'require.cts'), program);
+writeFileSync(join(folder, 'bundled.ts'), program);
+let failed = false;
+for (const [module, resolution, files] of [['nodenext', 'nodenext', ['import.mts', 'require.cts']], ['esnext', 'bundler', ['bundled.ts']]]) {
+    const options = ['--noEmit', '--strict', '--noUncheckedIndexedAccess', '--exactOptionalPropertyTypes', '--target', 'es2022',
+        '--module', module, '--moduleResolution', resolution];
+    try {
+        execFileSync(process.execPath, [tsc, ...options, ...files], { cwd: folder, encoding: 'utf8' });
+        console.log(`ok: ${files.join(', ')}, module resolution of ${resolution}`);
+    } catch (error) {
+        console.log(`FAILED: ${files.join(', ')}\n${error.stdout}`);
+        failed = true;
+    }
+}
+process.exitCode = failed ? 1 : 0;
