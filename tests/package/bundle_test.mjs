@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
 // What a page carries that calls one function: bundled and minified, its text twice and 2 kB at most.
-//     node bundle_test.mjs ROOT FOLDER NODE_MODULES
+//     node bundle_test.mjs PACKAGE FOLDER NODE_MODULES
 import { existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const [root, folder, node_modules] = process.argv.slice(2).map(path => resolve(path));
+const [umbrage, folder, node_modules] = process.argv.slice(2).map(path => resolve(path));
 const required = createRequire(join(node_modules, 'x.js'));
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(join(folder, 'node_modules'), { recursive: true });
-symlinkSync(root, join(folder, 'node_modules/umbrage'));
-const { exports } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+symlinkSync(umbrage, join(folder, 'node_modules/umbrage'));
+const { exports } = JSON.parse(readFileSync(join(umbrage, 'package.json'), 'utf8'));
 
 const programs = {
     one: [`import { pcf_2x2, source } from 'umbrage'; globalThis.text = source('300 es', [pcf_2x2]);`, 2],
@@ -32,7 +32,7 @@ const bundlers = {
     },
     async rollup(input) {
         const resolveId = id => id.startsWith('umbrage')
-            ? { id: join(root, exports[id.replace('umbrage', '.')].default.default), moduleSideEffects: false } : null;
+            ? { id: join(umbrage, exports[id.replace('umbrage', '.')].default.default), moduleSideEffects: false } : null;
         const bundle = await required('rollup').rollup({ input, plugins: [{ name: 'package', resolveId }] });
         const { output } = await bundle.generate({ format: 'es' });
         return (await required('terser').minify(output[0].code, { module: true })).code;

@@ -4,7 +4,8 @@
 file(REMOVE_RECURSE ${MADE})
 execute_process(COMMAND ${WRITER} ${TEMPLATES} ${MADE} COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB_RECURSE made RELATIVE ${MADE} ${MADE}/*)
-file(GLOB_RECURSE committed RELATIVE ${COMMITTED} ${COMMITTED}/shaders/* ${COMMITTED}/*.[cm]js ${COMMITTED}/*.[cm]ts)
+file(GLOB_RECURSE committed RELATIVE ${COMMITTED} ${COMMITTED}/shaders/* ${COMMITTED}/*.[cm]js ${COMMITTED}/*.[cm]ts
+     ${COMMITTED}/LICENSE)
 if(NOT made STREQUAL committed)
     message(FATAL_ERROR "${COMMITTED} has files too many or too few; write them anew: make single-header")
 endif()

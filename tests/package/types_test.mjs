@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The package's types, by TypeScript at its strictest: what is right compiles, what is wrong does not.
-//     node types_test.mjs ROOT FOLDER NODE_MODULES
+//     node types_test.mjs PACKAGE FOLDER NODE_MODULES
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 
-const [root, folder, node_modules] = process.argv.slice(2).map(path => resolve(path));
+const [umbrage, folder, node_modules] = process.argv.slice(2).map(path => resolve(path));
 const tsc = join(node_modules, 'typescript/bin/tsc');
 if (!existsSync(tsc)) {
     console.log(`SKIPPED: no typescript in ${node_modules}`);
@@ -14,7 +14,7 @@ if (!existsSync(tsc)) {
 }
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(join(folder, 'node_modules'), { recursive: true });
-symlinkSync(root, join(folder, 'node_modules/umbrage'));
+symlinkSync(umbrage, join(folder, 'node_modules/umbrage'));
 
 const program = `
 import { bind, box, encodings, exactness, pcf_2x2, rg11, snippets, source, supports, text, versions } from 'umbrage';

@@ -5,6 +5,7 @@
 // FOLDER/shaders                           files to paste: see paste.hpp
 // FOLDER/umbrage.mjs, wgsl.mjs, ...        the npm package's entries, one a language, and their types
 // FOLDER/module                            what they are made of: TEMPLATES/module, and data of module.hpp
+// FOLDER/LICENSE                           a copy, which the package carries
 // FOLDER/**.cjs, FOLDER/*.d.cts            the same for Node's require
 #include <filesystem>
 #include <fstream>
@@ -96,6 +97,7 @@ int main(int argc, char** argv) {
         std::filesystem::remove_all(folder / "module");
         package::write_shaders(folder / "shaders", package::copyright(templates / "../../LICENSE"));
         package::write_npm(templates / "module", folder);
+        package::write(folder / "LICENSE", package::filled(templates / "../../LICENSE"));
     } catch (const std::exception& error) {
         std::cerr << "write_package: " << error.what() << '\n';
         return 1;
