@@ -1,7 +1,7 @@
 // umbrage 0.1.0, MIT License. Types of the texts in one language.
-import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, SnippetOf, Texture, WithReversed } from './module/types.cjs';
+import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, Filter, FilterArgument, SnippetOf, Texture, WithReversed } from './module/types.cjs';
 
-export type { Exactness, Texture };
+export type { Exactness, Filter, FilterArgument, Texture };
 export type Snippet = SnippetOf<'hlsl'>;
 export type Binding = BindingOf<'hlsl'>;
 export type Bound = BoundOf<'hlsl'>;

@@ -1,7 +1,7 @@
 // umbrage 0.1.0, MIT License. Types of the texts in one language.
-import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, SnippetOf, Texture, WithReversed } from './module/types.mjs';
+import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, Filter, FilterArgument, SnippetOf, Texture, WithReversed } from './module/types.mjs';
 
-export type { Exactness, Texture };
+export type { Exactness, Filter, FilterArgument, Texture };
 export type Snippet = SnippetOf<'msl'>;
 export type Binding = BindingOf<'msl'>;
 export type Bound = BoundOf<'msl'>;

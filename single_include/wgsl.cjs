@@ -15,6 +15,7 @@ const bind = /*#__PURE__*/ bind_in(hooks);
 const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 const text = items => compose(language, items);
+const { functions } = require('./module/functions.cjs');
 
 
 
@@ -24,6 +25,7 @@ module.exports = {
     bind,
     exactness,
     text,
+    functions,
     ...require('./module/wgsl/encodings.cjs'),
     ...require('./module/wgsl/snippets.cjs'),
     encodings: require('./module/wgsl/encodings.cjs'),

@@ -1,7 +1,7 @@
 // umbrage 0.1.0, MIT License. Types of the texts in one language.
-import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, SnippetOf, Texture, WithReversed } from './module/types.cjs';
+import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, Filter, FilterArgument, SnippetOf, Texture, WithReversed } from './module/types.cjs';
 
-export type { Exactness, Texture };
+export type { Exactness, Filter, FilterArgument, Texture };
 export type Snippet = SnippetOf<'wgsl'>;
 export type Binding = BindingOf<'wgsl'>;
 export type Bound = BoundOf<'wgsl'>;
@@ -14,6 +14,16 @@ export function bind(what: Snippet, name: string, map?: Binding): Bound;
 export function exactness(items: readonly (Snippet | Bound)[]): Exactness;
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export function text(items: readonly (Snippet | Bound)[]): string;
+/** A function of a text. */
+export interface WgslFunction {
+    readonly name: string;
+    /** From `fn` to its closing bracket. */
+    readonly text: string;
+    /** Names of those that it calls. */
+    readonly needs: readonly string[];
+}
+/** The functions of a text of the items, in order, each behind those that it calls: for hosts that take one at a time. */
+export function functions(items: readonly (Snippet | Bound)[]): WgslFunction[];
 
 /** All of them by name, for tools that walk them. */
 export const snippets: Readonly<Record<string, Snippet>>;

@@ -15,6 +15,7 @@ export const bind = /*#__PURE__*/ bind_in(hooks);
 export const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export const text = items => compose(language, items);
+export { functions } from './module/functions.mjs';
 export * from './module/wgsl/encodings.mjs';
 export * from './module/wgsl/snippets.mjs';
 export * as encodings from './module/wgsl/encodings.mjs';

@@ -34,12 +34,12 @@ function for_each_part(items, use) {
         for (const need of s.needs) add(need, item, of_map);
         if (is_of_map(s) !== of_map) return;
         const suffix = of_map ? item.suffix : '', guard = `UMBRAGE_HAS_${s.name}${suffix}`.toUpperCase(), before = done.get(guard);
-        if (before?.name === s.name && before.suffix === suffix) return;
+        if (before?.s === s && before.suffix === suffix) return;
         if (before)
             throw new Error('umbrage: text: names must keep functions apart, in capitals too; got '
-                + `umbrage_${before.name}${before.suffix} and umbrage_${s.name}${suffix}`);
+                + `umbrage_${before.s.name}${before.suffix} and umbrage_${s.name}${suffix}`);
         use(s, item, guard);
-        done.set(guard, { name: s.name, suffix });
+        done.set(guard, { s, suffix });
     };
     for (const of_map of [false, true])
         for (const item of items)
@@ -79,14 +79,17 @@ function bounds_note(items, may_reorder) {
             + '// Inside the bound, a comparison or floor may fall on either side.\n' : '');
 }
 
+/** The parts of a text in order, as use(body, guard). */
+function for_each_body(language, items, use) {
+    for_each_part(checked(language, items), (s, item, guard) => use(is_of_map(s) ? item.fill(s) : s.text, guard));
+}
+
 /** The items and all they need, each once. What is known of a dialect stands in place of the language's own. */
 function compose(language, items, { prelude, may_reorder } = language) {
-    items = checked(language, items);
-    const names = [...new Set(items.map(item => item.what.name + item.suffix))];
+    const all = checked(language, items), names = [...new Set(all.map(item => item.what.name + item.suffix))];
     let text = `// umbrage 0.1.0, MIT License${names.length ? ': ' : ''}${names.join(', ')}\n`
-        + bounds_note(items, may_reorder) + prelude;
-    for_each_part(items, (s, item, guard) => {
-        const body = is_of_map(s) ? item.fill(s) : s.text;
+        + bounds_note(all, may_reorder) + prelude;
+    for_each_body(language, items, (body, guard) => {
         text += language.preprocessor ? `\n#ifndef ${guard}\n#define ${guard}${body}#endif\n` : body;
     });
     return text;
@@ -96,5 +99,6 @@ module.exports = {
     is_of_map,
     as_item,
     exactness_in,
+    for_each_body,
     compose,
 };

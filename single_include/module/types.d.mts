@@ -9,6 +9,26 @@ export type Exactness = 'a' | 'b' | 'c';
 
 declare const is_of: unique symbol;
 
+/** What a filter takes behind a receiver's coordinate and depth. */
+export interface FilterArgument {
+    readonly name: string;
+    /** As GLSL calls it. */
+    readonly type: 'int' | 'float' | 'vec2' | 'vec3';
+    /** The default. Of a rotation it is that of one pixel: umbrage_disc_rotation(pixel) gives each its own. */
+    readonly value: number | readonly number[];
+}
+
+/** A filter: its function takes map, size, coordinate and receiver, then its arguments. */
+export interface Filter {
+    /** A comparison sampler serves where comparisons are all; else depths as they are, or moments in their place. */
+    readonly reads: 'comparisons' | 'depths' | 'moments';
+    /** From a receiver to the farthest center of a texel that is read, along an axis, in texels; of the default arguments. */
+    readonly reach: number;
+    readonly arguments: readonly FilterArgument[];
+    /** Of a filter that takes several coordinates in place of one: where they lie from the receiver's, in texels. */
+    readonly offsets?: readonly (readonly number[])[];
+}
+
 /** One function, as text, and what is known of it. */
 export interface SnippetOf<L extends Language> {
     readonly [is_of]: L;
@@ -23,6 +43,7 @@ export interface SnippetOf<L extends Language> {
     /** The oldest GLSL that has it; every dialect where it is 100. */
     readonly lowest: '100' | '300 es';
     readonly needs: readonly SnippetOf<L>[];
+    readonly filter?: Filter;
     /** The function for a 2D texture of depths, without what it needs. */
     readonly text: string;
 }
@@ -65,17 +86,13 @@ export interface BindingOf<L extends Language> {
 
 /** A map of texels in an encoding, and how they come about: without blending, of one sample, in a target that is not sRGB. */
 export interface EncodingOf<L extends Language> extends Readonly<BindingOf<L>> {
-    /** What makes a texel of a depth. */
-    readonly writer: SnippetOf<L>;
-    /** What it returns: a depth for a float target; integer channels, of which to_unorm makes values; values for a UNORM
-     *  target. */
-    readonly writes: 'depth' | 'integers' | 'values';
-    /** Of integer channels: what makes them the values to write. */
-    readonly to_unorm?: SnippetOf<L>;
     /** The target's format, as OpenGL calls it: RG8, R16, RGB10_A2, ... */
     readonly format: string;
     /** What the target is cleared to: where nothing is drawn all is lit. Channels that the texel lacks are 0. */
     readonly cleared: readonly [number, number, number, number];
+    /** What the depth pass writes: umbrage_write(depth) is a color for the target. Where depth is reversed, or several passes
+     *  share a text, bind it: bind(rg16.write, 'sun', { direction: 'reversed' }) is umbrage_write_sun(depth). */
+    readonly write: SnippetOf<L>;
 }
 
 /** An encoding of depths that are 0 at the far plane. */

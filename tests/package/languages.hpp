@@ -63,17 +63,6 @@ template <umbrage::known_encoding Encoding>
     return channels;
 }
 
-/// What an encoding's writer returns.
-template <umbrage::known_encoding Encoding>
-[[nodiscard]] constexpr std::string_view writes(const Encoding&) {
-    switch (Encoding::writes) {
-        case umbrage::store_format::depth: return "depth";
-        case umbrage::store_format::integers: return "integers";
-        case umbrage::store_format::values: return "values";
-    }
-    return "";
-}
-
 /// A string of JavaScript and of JSON.
 [[nodiscard]] inline std::string literal(std::string_view text) {
     std::string out = "\"";

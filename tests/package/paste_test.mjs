@@ -46,12 +46,13 @@ for (const { language, file, name, text, lines, head } of files) {
     if (reads && snippets[name]?.role === 'none') check(/^\/\/ Map: `.*map/m.test(head) && head.includes('one sample. Clear to'), file, 'its map');
     check(!file.includes('_shadow') || head.includes('receiver <= '), file, 'its comparison');
 }
-for (const [name, { writer, writes, format, channels, cleared }] of Object.entries(encodings)) {
-    if (writes === 'depth') continue;
+for (const [name, { write, format, channels, cleared }] of Object.entries(encodings)) {
+    if (name === 'depth32f') continue;
+    const writer = write.needs.find(s => s.name === `write_${name}` || s.name === `encode_${name}`).name;
     const most = { R16: 65535, RGB10_A2: 1023 }[format] ?? 255, integers = cleared.map(channel => Math.round(channel * most));
-    check(of('glsl', writer.name).head.includes(
+    check(of('glsl', writer).head.includes(
         `Render target of ${name}: ${format} UNORM, not sRGB, no blending, one sample. Clear to `
-        + `(${integers.slice(0, channels).join(', ')}) / ${most},`), writer.name, `target of ${name}`);
+        + `(${integers.slice(0, channels).join(', ')}) / ${most},`), writer, `target of ${name}`);
 }
 
 function compile(file, text, ...options) {

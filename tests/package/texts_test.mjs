@@ -34,10 +34,14 @@ let different = 0;
 for (const line of readFileSync(expected, 'utf8').trimEnd().split('\n')) {
     const test = JSON.parse(line), kind = test.language ?? (test.encoding ? 'encodings' : 'versions'), text = made(test);
     if (test.encoding) {
-        const { writer, writes, cleared } = encoding_of(test.encoding, test.reversed);
-        const same = writer === snippets[test.writer] && writes === test.writes && cleared.length === 4
-            && test.cleared.every(([value, most], i) => cleared[i] === value / most);
-        if (!same) console.log(`encodings.${test.encoding}: ${writer.name} ${writes} ${cleared}`), ++different;
+        const { cleared } = encoding_of(test.encoding, test.reversed);
+        const same = cleared.length === 4 && test.cleared.every(([value, most], i) => cleared[i] === value / most);
+        if (!same) console.log(`encodings.${test.encoding}: cleared to ${cleared}`), ++different;
+        for (const [language, pass] of Object.entries(test.passes)) {
+            const { bind, encodings, text } = umbrage[language], { write } = encodings[test.encoding];
+            if (text([bind(write, 'a', test.reversed ? { direction: 'reversed' } : {})]) === pass) continue;
+            console.log(`encodings.${test.encoding}.write differs from the depth pass in ${language}`), ++different;
+        }
         names.delete(test.encoding);
     }
     counts[kind] = (counts[kind] ?? 0) + 1;
@@ -61,15 +65,16 @@ for (const [language, all] of Object.entries(umbrage)) {
     }
     for (const [name, encoding] of Object.entries(all.encodings)) named(all[name] === encoding, `encoding ${name}`);
     const others = Object.keys(all).filter(name => !(name in all.snippets) && !(name in all.encodings)).sort().join(' ');
-    named(others === (language === 'glsl' ? 'bind encodings exactness snippets source supports text versions'
-        : 'bind encodings exactness snippets text'), `exports of ${language}: ${others}`);
+    named(others === { glsl: 'bind encodings exactness snippets source supports text versions', hlsl: 'bind encodings exactness snippets text',
+        msl: 'bind encodings exactness snippets text', wgsl: 'bind encodings exactness functions snippets text' }[language], `exports of ${language}: ${others}`);
     const required = createRequire(import.meta.url)(resolve(folder, `${entries[language]}.cjs`));
     named(Object.keys(required).sort().join() === Object.keys(all).sort().join(), `exports of ${language} by require`);
     named(required.text([required.bind(required.box, 'a', required.rg11)])
         === all.text([all.bind(all.box, 'a', all.rg11)]), `text in ${language} by require`);
 }
-for (const [name, { writer, writes, reversed, depth }] of Object.entries(encodings).filter(([, e]) => e.writes !== 'depth')) {
-    named(writer === reversed.writer && writer.name === (writes === 'values' ? 'write_' : 'encode_') + name, `writer of ${name}`);
+for (const [name, { write, reversed, depth }] of Object.entries(encodings).filter(([name]) => name !== 'depth32f')) {
+    named(write === reversed.write && write.needs.some(s => s === snippets[`write_${name}`] || s === snippets[`encode_${name}`]),
+        `writer of ${name}`);
     const reader = depth.match(/^umbrage_decode_(\w+)\(value/)?.[1];  // one reader for a format and its repaired writer
     named(reader !== undefined && name.startsWith(reader) && snippets[`decode_${reader}`], `reader of ${name}`);
 }
@@ -84,7 +89,8 @@ try { bind(snippets.hard, 'a', encodings.typo), ++different, console.log('undefi
 for (const bad of [() => bind(snippets.hard, 'a b'), () => bind(undefined, 'a'), () => bind(snippets.hard), () => bind(snippets.hard, 'a', null),
     () => bind(snippets.hard, 'a', { needs: [undefined] }), () => bind(snippets.hard, 'a', { needs: ['hard'] }), () => bind(snippets.hard, '_a'), () => bind(snippets.hard, 'a', { texture: '3d' }),
     () => bind(snippets.hard, 'a', { size: 3 }), () => bind(snippets.hard, 'a', { outside: 'lit' }), () => bind(snippets.hard, 'a', { gather: 1 }), () => source('200', [snippets.hard]),
-    () => source('300 es', [undefined]), () => source('300 es', [umbrage.wgsl.hard]), () => umbrage.msl.bind(snippets.hard, 'a')]) {
+    () => source('300 es', [undefined]), () => source('300 es', [umbrage.wgsl.hard]), () => umbrage.msl.bind(snippets.hard, 'a'),
+    () => source('300 es', [encodings.rg11.write, encodings.r16.write])]) {
     let refused = false;
     try { bad(); } catch (error) { refused = error.message.startsWith('umbrage: '); }
     if (!refused) console.log(`taken without a word: ${bad}`), ++different;

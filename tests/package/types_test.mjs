@@ -17,8 +17,8 @@ mkdirSync(join(folder, 'node_modules'), { recursive: true });
 symlinkSync(umbrage, join(folder, 'node_modules/umbrage'));
 
 const program = `
-import { bind, box, encodings, exactness, pcf_2x2, rg11, snippets, source, supports, text, versions } from 'umbrage';
-import type { Binding, Bound, Encoding, Exactness, Snippet, Texture, Version } from 'umbrage';
+import { bind, box, encodings, exactness, pcf_2x2, pcss16, rg11, snippets, source, supports, text, versions } from 'umbrage';
+import type { Binding, Bound, Encoding, Exactness, Filter, Snippet, Texture, Version } from 'umbrage';
 import * as hlsl from 'umbrage/hlsl';
 import * as msl from 'umbrage/msl';
 import * as wgsl from 'umbrage/wgsl';
@@ -30,6 +30,8 @@ export const all: string[] = [source(version, [item]), text([bind(box, '', packe
     String(by_name?.needs.length), String(supports(item, version))];
 const in_wgsl: wgsl.Bound = wgsl.bind(wgsl.box, 'sun', wgsl.rg11.reversed);
 all.push(wgsl.text([wgsl.pcf_2x2, in_wgsl]), hlsl.text([hlsl.pcf_2x2]), msl.text([]), wgsl.exactness([wgsl.box]));
+const soft: Filter | undefined = pcss16.filter, first: wgsl.WgslFunction | undefined = wgsl.functions([wgsl.box, in_wgsl])[0];
+all.push(text([bind(rg11.write, 'sun', { direction: 'reversed' })]), String(soft?.reach), ...first?.needs ?? []);
 
 // @ts-expect-error another language's
 wgsl.text([pcf_2x2]);

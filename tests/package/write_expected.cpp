@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/shadow/in_shader.hpp>
+
 #include "languages.hpp"
 
 namespace package {
@@ -104,16 +107,24 @@ void add(std::ostream& out, const shader_language& l, const std::vector<bound>& 
         << ",\"text\":" << text << "}\n";
 }
 
-/// What the package's encodings must hold: a filter's text, what an empty map holds, what writes a texel.
+/// What the package's encodings must hold: a filter's text, what an empty map holds, what its depth pass writes.
 void add_encoding(std::ostream& out, const auto& encoding, bool reversed) {
     using type = std::decay_t<decltype(encoding)>;
     std::string cleared;
     for (const cleared_channel& c : cleared_channels(encoding))
         cleared += (cleared.empty() ? "[" : ",[") + std::to_string(c.value) + ',' + std::to_string(c.most) + ']';
+    const umbrage::clip_space clip = reversed ? umbrage::godot_clip_space : umbrage::cpu_clip_space;
+    const umbrage::shadow of(
+        umbrage::make_spot_light(
+            {.position = {2, 6, 3}, .direction = {-2, -6, -3}, .z_near = 1, .z_far = 20, .clip = clip}),
+        {64, 64}, umbrage::filters::hard{}, encoding);
     out << "{\"encoding\":" << literal(type::name) << ",\"reversed\":" << (reversed ? "true" : "false")
-        << ",\"writer\":" << literal(type::writer->name) << ",\"writes\":" << literal(writes(encoding))
         << ",\"cleared\":[" << cleared
-        << "],\"text\":" << literal(glsl::text({bind(glsl::hard, "a", glsl::stored_as(encoding))})) << "}\n";
+        << "],\"text\":" << literal(glsl::text({bind(glsl::hard, "a", glsl::stored_as(encoding))})) << ",\"passes\":{";
+    for (const shader_language& l : languages)
+        out << (&l == &languages[0] ? "" : ",") << literal(l.name) << ":"
+            << literal(l.text({glsl::bind_depth_pass(of, "a")}));
+    out << "}}\n";
 }
 
 void write(std::ostream& out) {

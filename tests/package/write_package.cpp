@@ -16,6 +16,7 @@
 
 #include "commonjs.hpp"
 #include "module.hpp"
+#include "module_encodings.hpp"
 #include "paste.hpp"
 
 namespace package {
@@ -65,7 +66,7 @@ std::string names_of_encodings() {
 }
 
 void write_npm(const fs::path& templates, const fs::path& folder) {
-    for (const char* const part : {"compose", "bind", "fill", "versions"})
+    for (const char* const part : {"compose", "bind", "fill", "functions", "versions"})
         write_module(folder / "module" / part, filled(templates / (std::string(part) + ".mjs")));
     write_types(folder / "module/types", filled(templates / "types.d.mts", {{"@encodings@", names_of_encodings()}}));
     for (const shader_language& l : languages) {
@@ -73,16 +74,20 @@ void write_npm(const fs::path& templates, const fs::path& folder) {
         write_module(data / "language", language_module(l));
         write_module(data / "snippets", snippets_module(l));
         write_module(data / "hooks", hooks_module(l));
-        write_module(data / "encodings", encodings_module());
-        const bool is_glsl = l.name == "glsl";
-        const std::string name(l.name), entry = is_glsl ? "umbrage" : name, kind = is_glsl ? "glsl" : "other";
+        write_module(data / "encodings", encodings_module(l));
+        const bool is_glsl = l.name == "glsl", is_wgsl = l.name == "wgsl";
+        const std::string name(l.name), entry = is_glsl ? "umbrage" : name;
+        const std::string texts = filled(templates / (is_glsl ? "versions.d.mts" : "text.d.mts"));
         write_module(folder / entry,
-                     filled(templates / (kind + ".mjs"), {{"@language@", name}, {"@Language@", std::string(l.title)}}));
+                     filled(templates / (is_glsl ? "glsl.mjs" : "other.mjs"),
+                            {{"@language@", name},
+                             {"@Language@", std::string(l.title)},
+                             {"@functions@", is_wgsl ? "export { functions } from './module/functions.mjs';\n" : ""}}));
         write_types(folder / entry,
-                    filled(templates / "entry.d.mts", {{"@language@", name},
-                                                       {"@names@", names()},
-                                                       {"@versions@", is_glsl ? filled(templates / "versions.d.mts")
-                                                                              : filled(templates / "text.d.mts")}}));
+                    filled(templates / "entry.d.mts",
+                           {{"@language@", name},
+                            {"@names@", names()},
+                            {"@texts@", texts + (is_wgsl ? filled(templates / "functions.d.mts") : "")}}));
     }
 }
 

@@ -1845,7 +1845,7 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 
 export const disc8 = { language, name: "disc8", summary: "disc of 8 points, turned by the pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
@@ -1870,7 +1870,7 @@ UMBRAGE_HIGHP float umbrage_disc8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const disc16 = { language, name: "disc16", summary: "disc of 16 points, turned by the pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
@@ -1903,7 +1903,7 @@ UMBRAGE_HIGHP float umbrage_disc16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 export const disc32 = { language, name: "disc32", summary: "disc of 32 points, turned by the pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
@@ -1952,7 +1952,7 @@ UMBRAGE_HIGHP float umbrage_disc32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 export const hard = { language, name: "hard", summary: "nearest texel, one test",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit], text: `
+    needs: [in_filter_domain, lit], filter: { reads: "comparisons", reach: 0.5, arguments: [] }, text: `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -1967,7 +1967,7 @@ UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 export const four_tap = { language, name: "four_tap", summary: "mean of four taps with coordinates of their own",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [lit, beyond_far_plane], text: `
+    needs: [lit, beyond_far_plane], filter: { reads: "comparisons", reach: 1, arguments: [], offsets: [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]] }, text: `
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
 //   or more in a direction;   receiver  depth, biased
@@ -1989,7 +1989,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP 
 
 export const pcf_2x2 = { language, name: "pcf_2x2", summary: "bilinear 2x2, weights in steps of 1/256",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1, arguments: [] }, text: `
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2009,7 +2009,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP v
 
 export const pcf_2x2_dx_sdk = { language, name: "pcf_2x2_dx_sdk", summary: "bilinear 2x2 as the DirectX SDK sample, plain floats",
     exactness: "b", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [compare_dx_sdk, in_filter_domain, fetch_depth], text: `
+    needs: [compare_dx_sdk, in_filter_domain, fetch_depth], filter: { reads: "depths", reach: 1, arguments: [{ name: "epsilon", type: "float", value: 0 }] }, text: `
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
@@ -2078,7 +2078,7 @@ UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
 
 export const box = { language, name: "box", summary: "lit share of a box of radius 0..8",
     exactness: "b", operations: 290, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [box_count, box_scale], text: `
+    needs: [box_count, box_scale], filter: { reads: "comparisons", reach: 1.5, arguments: [{ name: "radius", type: "int", value: 1 }] }, text: `
 // umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
 UMBRAGE_HIGHP float umbrage_box(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, int radius) {
@@ -2089,7 +2089,7 @@ UMBRAGE_HIGHP float umbrage_box(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 
 
 export const tent2 = { language, name: "tent2", summary: "sliding window 1 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [] }, text: `
 // umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2117,7 +2117,7 @@ UMBRAGE_HIGHP float umbrage_tent2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const tent3 = { language, name: "tent3", summary: "sliding window 1 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum3], text: `
+    needs: [window_sum3], filter: { reads: "comparisons", reach: 2, arguments: [] }, text: `
 // umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2130,7 +2130,7 @@ UMBRAGE_HIGHP float umbrage_tent3(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const quadratic_b_spline = { language, name: "quadratic_b_spline", summary: "quadratic B-spline of 3 x 3 texels",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [] }, text: `
 // umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2158,7 +2158,7 @@ UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_HIGHP sampler2D map, UMBR
 
 export const binomial5 = { language, name: "binomial5", summary: "sliding window 1 4 6 4 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
 // umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2171,7 +2171,7 @@ UMBRAGE_HIGHP float umbrage_binomial5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP
 
 export const castano_dyadic5 = { language, name: "castano_dyadic5", summary: "sliding window 5 16 22 16 5",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
 // umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2184,7 +2184,7 @@ UMBRAGE_HIGHP float umbrage_castano_dyadic5(UMBRAGE_HIGHP sampler2D map, UMBRAGE
 
 export const castano5 = { language, name: "castano5", summary: "sliding window 1 3 4 3 1",
     exactness: "b", operations: 80, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
 // umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2197,7 +2197,7 @@ UMBRAGE_HIGHP float umbrage_castano5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP 
 
 export const binomial7 = { language, name: "binomial7", summary: "sliding window 1 6 15 20 15 6 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
 // umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2210,7 +2210,7 @@ UMBRAGE_HIGHP float umbrage_binomial7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP
 
 export const tent7 = { language, name: "tent7", summary: "sliding window 1 2 3 4 3 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
 // umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2223,7 +2223,7 @@ UMBRAGE_HIGHP float umbrage_tent7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const castano7 = { language, name: "castano7", summary: "sliding window 1 5 12 16 12 5 1",
     exactness: "b", operations: 138, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
 // umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2737,7 +2737,7 @@ UMBRAGE_HIGHP vec2 umbrage_blockers32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP
 
 export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows, 8 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -2758,7 +2758,7 @@ UMBRAGE_HIGHP float umbrage_pcss8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows, 16 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -2779,7 +2779,7 @@ UMBRAGE_HIGHP float umbrage_pcss16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows, 32 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -2983,7 +2983,7 @@ UMBRAGE_HIGHP float umbrage_hardened_kernel32(UMBRAGE_HIGHP float blocked, UMBRA
 
 export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening by 8 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -3005,7 +3005,7 @@ UMBRAGE_HIGHP float umbrage_dpcf8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening by 16 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -3027,7 +3027,7 @@ UMBRAGE_HIGHP float umbrage_dpcf16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening by 32 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -3566,7 +3566,7 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_HIGHP sampler2D map, UMBRAGE_H
 
 export const vsm = { language, name: "vsm", summary: "visibility from a map of encode_vsm's texels",
     exactness: "c", operations: 165, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], filter: { reads: "moments", reach: 1, arguments: [{ name: "min_variance", type: "float", value: 1e-06 }] }, text: `
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
@@ -3581,7 +3581,7 @@ UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 
 
 export const esm = { language, name: "esm", summary: "visibility from a map of encode_esm's texels",
     exactness: "b", operations: 56, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }] }, text: `
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
@@ -3596,7 +3596,7 @@ UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 
 
 export const evsm2 = { language, name: "evsm2", summary: "visibility from a map of encode_evsm2's texels",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }, { name: "deviation", type: "float", value: 0.0055451775 }] }, text: `
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
@@ -3612,7 +3612,7 @@ UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const evsm4 = { language, name: "evsm4", summary: "visibility from a map of encode_evsm4's texels",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponents", type: "vec2", value: [40, 8] }, { name: "deviations", type: "vec2", value: [0.0055451775, 0.0011090355] }] }, text: `
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
@@ -3628,7 +3628,7 @@ UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const msm = { language, name: "msm", summary: "visibility from a map of encode_msm's texels",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }] }, text: `
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
@@ -3643,7 +3643,7 @@ UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 
 
 export const msm_unorm16 = { language, name: "msm_unorm16", summary: "visibility from a map of turned moments",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [6e-05, 0.628] }] }, text: `
 // umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
@@ -3658,7 +3658,7 @@ UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIG
 
 export const msm_hausdorff = { language, name: "msm_hausdorff", summary: "visibility from a map of encode_msm's texels",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }] }, text: `
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm

@@ -1,104 +1,285 @@
+const { language } = require('./language.cjs');
 const snippets = require('./snippets.cjs');
 
+const write_depth32f = { language, name: "write", summary: "color of a depth, for a target of depth32f",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.saturate], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float texel = umbrage_saturate(depth);
+    return float4(texel, 0.0, 0.0, 0.0);
+}
+` };
 const depth32f = { direction: "forward", depth: "", channels: 1, needs: [],
-    writer: snippets.saturate, writes: "depth", format: "R32F", cleared: [1, 0, 0, 0],
+    cleared: [1, 0, 0, 0], format: "R32F", write: write_depth32f,
     reversed: { direction: "reversed", depth: "", channels: 1, needs: [],
-    writer: snippets.saturate, writes: "depth", format: "R32F", cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "R32F", write: write_depth32f } };
 
+const write_rg9 = { language, name: "write", summary: "color of a depth, for a target of rg9",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rg9, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_to_unorm(umbrage_encode_rg9(depth));
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
 const rg9 = { direction: "forward", depth: "umbrage_decode_rg9(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg9],
-    writer: snippets.encode_rg9, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [1, 0.50196078431372548, 0, 0],
+    cleared: [1, 0.50196078431372548, 0, 0], format: "RG8", write: write_rg9,
     reversed: { direction: "reversed", depth: "umbrage_decode_rg9(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg9],
-    writer: snippets.encode_rg9, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg9 } };
 
+const write_rg10 = { language, name: "write", summary: "color of a depth, for a target of rg10",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rg10, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_to_unorm(umbrage_encode_rg10(depth));
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
 const rg10 = { direction: "forward", depth: "umbrage_decode_rg10(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg10],
-    writer: snippets.encode_rg10, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [1, 0.75294117647058822, 0, 0],
+    cleared: [1, 0.75294117647058822, 0, 0], format: "RG8", write: write_rg10,
     reversed: { direction: "reversed", depth: "umbrage_decode_rg10(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg10],
-    writer: snippets.encode_rg10, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg10 } };
 
+const write_rg11 = { language, name: "write", summary: "color of a depth, for a target of rg11",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rg11, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_to_unorm(umbrage_encode_rg11(depth));
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
 const rg11 = { direction: "forward", depth: "umbrage_decode_rg11(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg11],
-    writer: snippets.encode_rg11, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [1, 0.8784313725490196, 0, 0],
+    cleared: [1, 0.8784313725490196, 0, 0], format: "RG8", write: write_rg11,
     reversed: { direction: "reversed", depth: "umbrage_decode_rg11(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg11],
-    writer: snippets.encode_rg11, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg11 } };
 
+const write_rg12 = { language, name: "write", summary: "color of a depth, for a target of rg12",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rg12, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_to_unorm(umbrage_encode_rg12(depth));
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
 const rg12 = { direction: "forward", depth: "umbrage_decode_rg12(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg12],
-    writer: snippets.encode_rg12, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [1, 0.94117647058823528, 0, 0],
+    cleared: [1, 0.94117647058823528, 0, 0], format: "RG8", write: write_rg12,
     reversed: { direction: "reversed", depth: "umbrage_decode_rg12(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg12],
-    writer: snippets.encode_rg12, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg12 } };
 
+const write_rg13 = { language, name: "write", summary: "color of a depth, for a target of rg13",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rg13, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_to_unorm(umbrage_encode_rg13(depth));
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
 const rg13 = { direction: "forward", depth: "umbrage_decode_rg13(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg13],
-    writer: snippets.encode_rg13, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [1, 0.97254901960784312, 0, 0],
+    cleared: [1, 0.97254901960784312, 0, 0], format: "RG8", write: write_rg13,
     reversed: { direction: "reversed", depth: "umbrage_decode_rg13(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg13],
-    writer: snippets.encode_rg13, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg13 } };
 
+const write_rg14 = { language, name: "write", summary: "color of a depth, for a target of rg14",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rg14, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_to_unorm(umbrage_encode_rg14(depth));
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
 const rg14 = { direction: "forward", depth: "umbrage_decode_rg14(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg14],
-    writer: snippets.encode_rg14, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [1, 0.9882352941176471, 0, 0],
+    cleared: [1, 0.9882352941176471, 0, 0], format: "RG8", write: write_rg14,
     reversed: { direction: "reversed", depth: "umbrage_decode_rg14(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg14],
-    writer: snippets.encode_rg14, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg14 } };
 
+const write_rg15 = { language, name: "write", summary: "color of a depth, for a target of rg15",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rg15, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_to_unorm(umbrage_encode_rg15(depth));
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
 const rg15 = { direction: "forward", depth: "umbrage_decode_rg15(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg15],
-    writer: snippets.encode_rg15, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [1, 0.99607843137254903, 0, 0],
+    cleared: [1, 0.99607843137254903, 0, 0], format: "RG8", write: write_rg15,
     reversed: { direction: "reversed", depth: "umbrage_decode_rg15(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg15],
-    writer: snippets.encode_rg15, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg15 } };
 
+const write_rg16 = { language, name: "write", summary: "color of a depth, for a target of rg16",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rg16, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_to_unorm(umbrage_encode_rg16(depth));
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
 const rg16 = { direction: "forward", depth: "umbrage_decode_rg16(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg16],
-    writer: snippets.encode_rg16, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [1, 1, 0, 0],
+    cleared: [1, 1, 0, 0], format: "RG8", write: write_rg16,
     reversed: { direction: "reversed", depth: "umbrage_decode_rg16(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg16],
-    writer: snippets.encode_rg16, writes: "integers", format: "RG8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg16 } };
 
+const write_rgb24 = { language, name: "write", summary: "color of a depth, for a target of rgb24",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rgb24, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float3 texel = umbrage_to_unorm(umbrage_encode_rgb24(depth));
+    return float4(texel.x, texel.y, texel.z, 0.0);
+}
+` };
 const rgb24 = { direction: "forward", depth: "umbrage_decode_rgb24(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb24],
-    writer: snippets.encode_rgb24, writes: "integers", format: "RGB8", to_unorm: snippets.to_unorm, cleared: [1, 1, 1, 0],
+    cleared: [1, 1, 1, 0], format: "RGB8", write: write_rgb24,
     reversed: { direction: "reversed", depth: "umbrage_decode_rgb24(value.xyz, 0.0)", channels: 3, needs: [snippets.decode_rgb24],
-    writer: snippets.encode_rgb24, writes: "integers", format: "RGB8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RGB8", write: write_rgb24 } };
 
+const write_rgb10 = { language, name: "write", summary: "color of a depth, for a target of rgb10",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_rgb10, snippets.to_unorm10], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float3 texel = umbrage_to_unorm10(umbrage_encode_rgb10(depth));
+    return float4(texel.x, texel.y, texel.z, 0.0);
+}
+` };
 const rgb10 = { direction: "forward", depth: "umbrage_decode_rgb10(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb10],
-    writer: snippets.encode_rgb10, writes: "integers", format: "RGB10_A2", to_unorm: snippets.to_unorm10, cleared: [1, 1, 0.93841642228739008, 0],
+    cleared: [1, 1, 0.93841642228739008, 0], format: "RGB10_A2", write: write_rgb10,
     reversed: { direction: "reversed", depth: "umbrage_decode_rgb10(value.xyz, 0.0)", channels: 3, needs: [snippets.decode_rgb10],
-    writer: snippets.encode_rgb10, writes: "integers", format: "RGB10_A2", to_unorm: snippets.to_unorm10, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RGB10_A2", write: write_rgb10 } };
 
+const write_r16 = { language, name: "write", summary: "color of a depth, for a target of r16",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_r16, snippets.to_unorm16], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float texel = umbrage_to_unorm16(umbrage_encode_r16(depth));
+    return float4(texel, 0.0, 0.0, 0.0);
+}
+` };
 const r16 = { direction: "forward", depth: "umbrage_decode_r16(value.x, 1.0)", channels: 1, needs: [snippets.decode_r16],
-    writer: snippets.encode_r16, writes: "integers", format: "R16", to_unorm: snippets.to_unorm16, cleared: [1, 0, 0, 0],
+    cleared: [1, 0, 0, 0], format: "R16", write: write_r16,
     reversed: { direction: "reversed", depth: "umbrage_decode_r16(value.x, 0.0)", channels: 1, needs: [snippets.decode_r16],
-    writer: snippets.encode_r16, writes: "integers", format: "R16", to_unorm: snippets.to_unorm16, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "R16", write: write_r16 } };
 
+const write_float_bits = { language, name: "write", summary: "color of a depth, for a target of float_bits",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "300 es", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_float_bits, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float4 texel = umbrage_to_unorm(umbrage_encode_float_bits(depth));
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
 const float_bits = { direction: "forward", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
-    writer: snippets.encode_float_bits, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0.50196078431372548, 0.24705882352941178],
+    cleared: [0, 0, 0.50196078431372548, 0.24705882352941178], format: "RGBA8", write: write_float_bits,
     reversed: { direction: "reversed", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
-    writer: snippets.encode_float_bits, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_float_bits } };
 
+const write_threejs_rgba = { language, name: "write", summary: "color of a depth, for a target of threejs_rgba",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.write_threejs_rgba], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float4 texel = umbrage_write_threejs_rgba(depth);
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
 const threejs_rgba = { direction: "forward", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
-    writer: snippets.write_threejs_rgba, writes: "values", format: "RGBA8", cleared: [1, 1, 1, 1],
+    cleared: [1, 1, 1, 1], format: "RGBA8", write: write_threejs_rgba,
     reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
-    writer: snippets.write_threejs_rgba, writes: "values", format: "RGBA8", cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_threejs_rgba } };
 
+const write_threejs_rgb = { language, name: "write", summary: "color of a depth, for a target of threejs_rgb",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.write_threejs_rgb], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float3 texel = umbrage_write_threejs_rgb(depth);
+    return float4(texel.x, texel.y, texel.z, 0.0);
+}
+` };
 const threejs_rgb = { direction: "forward", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
-    writer: snippets.write_threejs_rgb, writes: "values", format: "RGB8", cleared: [1, 1, 1, 0],
+    cleared: [1, 1, 1, 0], format: "RGB8", write: write_threejs_rgb,
     reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
-    writer: snippets.write_threejs_rgb, writes: "values", format: "RGB8", cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RGB8", write: write_threejs_rgb } };
 
+const write_threejs_rg = { language, name: "write", summary: "color of a depth, for a target of threejs_rg",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.write_threejs_rg], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_write_threejs_rg(depth);
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
 const threejs_rg = { direction: "forward", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
-    writer: snippets.write_threejs_rg, writes: "values", format: "RG8", cleared: [1, 1, 0, 0],
+    cleared: [1, 1, 0, 0], format: "RG8", write: write_threejs_rg,
     reversed: { direction: "reversed", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
-    writer: snippets.write_threejs_rg, writes: "values", format: "RG8", cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RG8", write: write_threejs_rg } };
 
+const write_threejs_legacy = { language, name: "write", summary: "color of a depth, for a target of threejs_legacy",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.write_threejs_legacy], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float4 texel = umbrage_write_threejs_legacy(depth);
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
 const threejs_legacy = { direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-    writer: snippets.write_threejs_legacy, writes: "values", format: "RGBA8", cleared: [1, 1, 1, 1],
+    cleared: [1, 1, 1, 1], format: "RGBA8", write: write_threejs_legacy,
     reversed: { direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-    writer: snippets.write_threejs_legacy, writes: "values", format: "RGBA8", cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_threejs_legacy } };
 
+const write_threejs_legacy_repaired = { language, name: "write", summary: "color of a depth, for a target of threejs_legacy_repaired",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_threejs_legacy_repaired, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float4 texel = umbrage_to_unorm(umbrage_encode_threejs_legacy_repaired(depth));
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
 const threejs_legacy_repaired = { direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-    writer: snippets.encode_threejs_legacy_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [1, 1, 1, 1],
+    cleared: [1, 1, 1, 1], format: "RGBA8", write: write_threejs_legacy_repaired,
     reversed: { direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-    writer: snippets.encode_threejs_legacy_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_threejs_legacy_repaired } };
 
+const write_base255 = { language, name: "write", summary: "color of a depth, for a target of base255",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.write_base255], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float4 texel = umbrage_write_base255(depth);
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
 const base255 = { direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-    writer: snippets.write_base255, writes: "values", format: "RGBA8", cleared: [1, 0, 0, 0],
+    cleared: [1, 0, 0, 0], format: "RGBA8", write: write_base255,
     reversed: { direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-    writer: snippets.write_base255, writes: "values", format: "RGBA8", cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_base255 } };
 
+const write_base255_repaired = { language, name: "write", summary: "color of a depth, for a target of base255_repaired",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.encode_base255_repaired, snippets.to_unorm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float4 texel = umbrage_to_unorm(umbrage_encode_base255_repaired(depth));
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
 const base255_repaired = { direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-    writer: snippets.encode_base255_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [1, 0, 0, 0],
+    cleared: [1, 0, 0, 0], format: "RGBA8", write: write_base255_repaired,
     reversed: { direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-    writer: snippets.encode_base255_repaired, writes: "integers", format: "RGBA8", to_unorm: snippets.to_unorm, cleared: [0, 0, 0, 0] } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_base255_repaired } };
 
 module.exports = {
     depth32f,

@@ -1806,7 +1806,7 @@ fn umbrage_disc_radius(radius: f32) -> f32 {
 
 const disc8 = { language, name: "disc8", summary: "disc of 8 points, turned by the pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
@@ -1829,7 +1829,7 @@ fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 const disc16 = { language, name: "disc16", summary: "disc of 16 points, turned by the pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
@@ -1860,7 +1860,7 @@ fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
 
 const disc32 = { language, name: "disc32", summary: "disc of 32 points, turned by the pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
@@ -1907,7 +1907,7 @@ fn umbrage_disc32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
 
 const hard = { language, name: "hard", summary: "nearest texel, one test",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit], text: `
+    needs: [in_filter_domain, lit], filter: { reads: "comparisons", reach: 0.5, arguments: [] }, text: `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -1921,7 +1921,7 @@ fn umbrage_hard(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) 
 
 const four_tap = { language, name: "four_tap", summary: "mean of four taps with coordinates of their own",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [lit, beyond_far_plane], text: `
+    needs: [lit, beyond_far_plane], filter: { reads: "comparisons", reach: 1, arguments: [], offsets: [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]] }, text: `
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
 //   or more in a direction;   receiver  depth, biased
@@ -1941,7 +1941,7 @@ fn umbrage_four_tap(map: texture_2d<f32>, size: vec2f, a: vec2f, b: vec2f, c: ve
 
 const pcf_2x2 = { language, name: "pcf_2x2", summary: "bilinear 2x2, weights in steps of 1/256",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1, arguments: [] }, text: `
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -1960,7 +1960,7 @@ fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f3
 
 const pcf_2x2_dx_sdk = { language, name: "pcf_2x2_dx_sdk", summary: "bilinear 2x2 as the DirectX SDK sample, plain floats",
     exactness: "b", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [compare_dx_sdk, in_filter_domain, fetch_depth], text: `
+    needs: [compare_dx_sdk, in_filter_domain, fetch_depth], filter: { reads: "depths", reach: 1, arguments: [{ name: "epsilon", type: "float", value: 0 }] }, text: `
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
@@ -2026,7 +2026,7 @@ fn umbrage_box_scale(radius: i32) -> f32 {
 
 const box = { language, name: "box", summary: "lit share of a box of radius 0..8",
     exactness: "b", operations: 290, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [box_count, box_scale], text: `
+    needs: [box_count, box_scale], filter: { reads: "comparisons", reach: 1.5, arguments: [{ name: "radius", type: "int", value: 1 }] }, text: `
 // umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
 fn umbrage_box(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
     let visibility: f32 = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
@@ -2036,7 +2036,7 @@ fn umbrage_box(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, r
 
 const tent2 = { language, name: "tent2", summary: "sliding window 1 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [] }, text: `
 // umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2063,7 +2063,7 @@ fn umbrage_tent2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32)
 
 const tent3 = { language, name: "tent3", summary: "sliding window 1 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum3], text: `
+    needs: [window_sum3], filter: { reads: "comparisons", reach: 2, arguments: [] }, text: `
 // umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2075,7 +2075,7 @@ fn umbrage_tent3(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32)
 
 const quadratic_b_spline = { language, name: "quadratic_b_spline", summary: "quadratic B-spline of 3 x 3 texels",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [] }, text: `
 // umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2102,7 +2102,7 @@ fn umbrage_quadratic_b_spline(map: texture_2d<f32>, size: vec2f, coord: vec2f, r
 
 const binomial5 = { language, name: "binomial5", summary: "sliding window 1 4 6 4 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
 // umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2114,7 +2114,7 @@ fn umbrage_binomial5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: 
 
 const castano_dyadic5 = { language, name: "castano_dyadic5", summary: "sliding window 5 16 22 16 5",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
 // umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2126,7 +2126,7 @@ fn umbrage_castano_dyadic5(map: texture_2d<f32>, size: vec2f, coord: vec2f, rece
 
 const castano5 = { language, name: "castano5", summary: "sliding window 1 3 4 3 1",
     exactness: "b", operations: 80, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
 // umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2138,7 +2138,7 @@ fn umbrage_castano5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f
 
 const binomial7 = { language, name: "binomial7", summary: "sliding window 1 6 15 20 15 6 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
 // umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2150,7 +2150,7 @@ fn umbrage_binomial7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: 
 
 const tent7 = { language, name: "tent7", summary: "sliding window 1 2 3 4 3 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
 // umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2162,7 +2162,7 @@ fn umbrage_tent7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32)
 
 const castano7 = { language, name: "castano7", summary: "sliding window 1 5 12 16 12 5 1",
     exactness: "b", operations: 138, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
 // umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2655,7 +2655,7 @@ fn umbrage_blockers32(map: texture_2d<f32>, size: vec2f, position: vec2f, receiv
 
 const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows, 8 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -2675,7 +2675,7 @@ fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows, 16 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -2695,7 +2695,7 @@ fn umbrage_pcss16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
 
 const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows, 32 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -2893,7 +2893,7 @@ fn umbrage_hardened_kernel32(blocked: f32, ratio: f32) -> f32 {
 
 const dpcf8 = { language, name: "dpcf8", summary: "contact hardening by 8 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -2914,7 +2914,7 @@ fn umbrage_dpcf8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 const dpcf16 = { language, name: "dpcf16", summary: "contact hardening by 16 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -2935,7 +2935,7 @@ fn umbrage_dpcf16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
 
 const dpcf32 = { language, name: "dpcf32", summary: "contact hardening by 32 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
 // umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
@@ -3445,7 +3445,7 @@ fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> ve
 
 const vsm = { language, name: "vsm", summary: "visibility from a map of encode_vsm's texels",
     exactness: "c", operations: 165, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], filter: { reads: "moments", reach: 1, arguments: [{ name: "min_variance", type: "float", value: 1e-06 }] }, text: `
 // umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   min_variance  0.0 or more
@@ -3459,7 +3459,7 @@ fn umbrage_vsm(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, m
 
 const esm = { language, name: "esm", summary: "visibility from a map of encode_esm's texels",
     exactness: "b", operations: 56, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }] }, text: `
 // umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent  as of the texels
@@ -3473,7 +3473,7 @@ fn umbrage_esm(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, e
 
 const evsm2 = { language, name: "evsm2", summary: "visibility from a map of encode_evsm2's texels",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }, { name: "deviation", type: "float", value: 0.0055451775 }] }, text: `
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
@@ -3487,7 +3487,7 @@ fn umbrage_evsm2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 const evsm4 = { language, name: "evsm4", summary: "visibility from a map of encode_evsm4's texels",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponents", type: "vec2", value: [40, 8] }, { name: "deviations", type: "vec2", value: [0.0055451775, 0.0011090355] }] }, text: `
 // umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
@@ -3502,7 +3502,7 @@ fn umbrage_evsm4(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 const msm = { language, name: "msm", summary: "visibility from a map of encode_msm's texels",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }] }, text: `
 // umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
@@ -3516,7 +3516,7 @@ fn umbrage_msm(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, b
 
 const msm_unorm16 = { language, name: "msm_unorm16", summary: "visibility from a map of turned moments",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [6e-05, 0.628] }] }, text: `
 // umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm
@@ -3530,7 +3530,7 @@ fn umbrage_msm_unorm16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver
 
 const msm_hausdorff = { language, name: "msm_hausdorff", summary: "visibility from a map of encode_msm's texels",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }] }, text: `
 // umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
 //   receiver   depth, biased;   bias  as of decode_msm

@@ -80,7 +80,7 @@ const choices = {
     outside: ['bordered', 'clamped'],
 };
 
-const of_encodings = ['writer', 'writes', 'format', 'to_unorm', 'cleared', 'reversed'];  // what they have beside a map's properties
+const of_encodings = ['format', 'cleared', 'write', 'reversed'];  // what they have beside a map's properties
 
 /** A map's properties, those that are left out by default. */
 export function complete(hooks, map) {

@@ -15,7 +15,7 @@ export const bind = /*#__PURE__*/ bind_in(hooks);
 export const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export const text = items => compose(language, items);
-export * from './module/@language@/encodings.mjs';
+@functions@export * from './module/@language@/encodings.mjs';
 export * from './module/@language@/snippets.mjs';
 export * as encodings from './module/@language@/encodings.mjs';
 export * as snippets from './module/@language@/snippets.mjs';

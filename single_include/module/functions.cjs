@@ -1,0 +1,20 @@
+// A text of WGSL as its functions, for hosts that take one at a time.
+const { for_each_body } = require('./compose.cjs');
+const { language } = require('./wgsl/language.cjs');
+
+/** The functions of a text of the items, in order, each with the names of those that it calls: they come before it. */
+function functions(items) {
+    const all = [];
+    for_each_body(language, items, body => {
+        for (const text of body.match(/^fn [^]*?^}$/gm)) all.push({ name: text.match(/^fn (\w+)/)[1], text });
+    });
+    const names = new Set(all.map(f => f.name));
+    return all.map(({ name, text }) => {
+        const words = new Set(text.replace(/\/\/.*/g, '').match(/\w+/g));
+        return { name, text, needs: [...words].filter(word => word !== name && names.has(word)) };
+    });
+}
+
+module.exports = {
+    functions,
+};

@@ -1,0 +1,16 @@
+// A text of WGSL as its functions, for hosts that take one at a time.
+import { for_each_body } from './compose.mjs';
+import { language } from './wgsl/language.mjs';
+
+/** The functions of a text of the items, in order, each with the names of those that it calls: they come before it. */
+export function functions(items) {
+    const all = [];
+    for_each_body(language, items, body => {
+        for (const text of body.match(/^fn [^]*?^}$/gm)) all.push({ name: text.match(/^fn (\w+)/)[1], text });
+    });
+    const names = new Set(all.map(f => f.name));
+    return all.map(({ name, text }) => {
+        const words = new Set(text.replace(/\/\/.*/g, '').match(/\w+/g));
+        return { name, text, needs: [...words].filter(word => word !== name && names.has(word)) };
+    });
+}

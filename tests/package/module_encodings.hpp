@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// The encodings in JavaScript: maps that bind() takes, and how their texels come about.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include <umbrage/shadow/in_shader.hpp>
+
+#include "module_words.hpp"
+
+namespace package {
+
+/// A snippet that is made where it is used, with what it needs from a module that imports all.
+inline std::string own_snippet(const shader_language& l, const glsl::own_text& own, std::string_view summary) {
+    glsl::version lowest = glsl::version::v100;
+    for (const snippet* need : own.needs) lowest = std::max(lowest, need->lowest);
+    const snippet s{.name = own.name, .needs = own.needs, .source = own.source.c_str()};
+    return "{ language, name: " + literal(s.name) + ", summary: " + literal(summary) + ",\n    " +
+           promise_of(s, glsl::exactness({s})) + ", lowest: " + literal(directive(lowest)) +
+           ", role: \"none\", scaled: false,\n    needs: " + snippets(s.needs) +
+           ", text: " + template_literal(plain_text(l, s)) + " }";
+}
+
+inline std::string encoding_of_module(const auto& encoding) {
+    const glsl::binding map = glsl::stored_as(encoding);
+    std::string cleared;
+    for (const cleared_channel& c : cleared_channels(encoding))
+        cleared += (cleared.empty() ? "" : ", ") + quotient(c.value, c.most);
+    return "{ direction: " + literal(map.direction == umbrage::depth_direction::forward ? "forward" : "reversed") +
+           ", depth: " + literal(map.depth) + ", channels: " + std::to_string(map.channels) + ", needs: [" +
+           (map.needs.empty() ? "" : "snippets." + std::string(map.needs.front().name)) + "],\n    cleared: [" +
+           cleared + "], format: " + literal(std::decay_t<decltype(encoding)>::target::format);
+}
+
+/// What the depth pass of an encoding calls.
+template <class Encoding>
+[[nodiscard]] glsl::own_text write_of() {
+    using target = typename Encoding::target;
+    const bool integers = Encoding::writes == umbrage::store_format::integers;
+    return glsl::detail::write_text(*Encoding::writer, integers ? target::to_unorm : nullptr, target::channels, "");
+}
+
+inline std::string encodings_module(const shader_language& l) {
+    std::string out = "import { language } from './language.mjs';\nimport * as snippets from './snippets.mjs';\n";
+    umbrage::for_each_encoding([&](auto encoding) {
+        const std::string name(encoding.name), write = "write_" + name;
+        out += "\nconst " + write + " = " +
+               own_snippet(l, write_of<decltype(encoding)>(), "color of a depth, for a target of " + name) + ";\n";
+        out += "export const " + name + " = " + encoding_of_module(encoding) + ", write: " + write;
+        encoding = {.direction = umbrage::depth_direction::reversed};
+        out += ",\n    reversed: " + encoding_of_module(encoding) + ", write: " + write + " } };\n";
+    });
+    return out;
+}
+
+}  // namespace package

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// What the filters' values know of themselves, in JavaScript: what their functions take, how far they reach, what they
+// read.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/filter/prefiltered/prefilters.hpp>
+#include <umbrage/shadow/look.hpp>
+
+#include "module_words.hpp"
+
+namespace package {
+
+/// A number, or an array of them.
+inline std::string numbers(std::initializer_list<float> all) {
+    std::string out;
+    for (const float n : all) {
+        char digits[32];
+        const auto end = std::to_chars(std::begin(digits), std::end(digits), n).ptr;
+        out += (out.empty() ? "" : ", ") + std::string(digits, end);
+    }
+    return all.size() == 1 ? out : '[' + out + ']';
+}
+inline std::string numbers(glm::vec2 v) { return numbers({v.x, v.y}); }
+inline std::string numbers(glm::vec3 v) { return numbers({v.x, v.y, v.z}); }
+
+/// Defaults of what a filter's function takes behind coordinate and receiver.
+template <class Filter>
+[[nodiscard]] std::vector<std::string> defaults_of(const Filter& f) {
+    std::vector<std::string> all;
+    if constexpr (requires { f.softness; }) all = {numbers(glm::vec3(f.softness))};
+    else if constexpr (requires { f.radius_texels; }) all = {numbers({f.radius_texels})};
+    else if constexpr (requires { f.radius; }) all = {numbers({static_cast<float>(f.radius)})};
+    else if constexpr (requires { f.epsilon; }) all = {numbers({f.epsilon})};
+    else if constexpr (requires { f.settings; }) all = {numbers({f.settings.exponent})};
+    else if constexpr (requires { f.parameters; }) {
+        if constexpr (Filter::texel::length() == 4)
+            all = {numbers(f.parameters.exponents), numbers(f.parameters.deviations)};
+        else all = {numbers({f.parameters.exponents.x}), numbers({f.parameters.deviations.x})};
+    } else if constexpr (requires { f.bias; }) all = {numbers(f.bias)};
+    else if constexpr (requires { f.min_variance; }) all = {numbers({f.min_variance})};
+    if constexpr (umbrage::detail::turning<Filter>) all.push_back(numbers(umbrage::disc_rotation(glm::vec2(0))));
+    return all;
+}
+
+/// What a map must give: a comparison sampler serves where comparisons are all.
+template <class Filter>
+[[nodiscard]] std::string_view reads(const Filter& f) {
+    if (umbrage::prefilter<Filter>) return "moments";
+    if (umbrage::detail::contact_hardening<Filter>) return "depths";
+    try {
+        (void)glsl::bind(*f.snippet, "a", {.texture = glsl::texture::shadow});
+        return "comparisons";
+    } catch (const std::invalid_argument&) { return "depths"; }
+}
+
+/// What a filter's function takes behind coordinate and receiver, with defaults.
+template <class Filter>
+[[nodiscard]] std::string arguments_of(const Filter& f) {
+    const std::string text = f.snippet->source.str(), start = "float umbrage_" + std::string(f.snippet->name) + '(';
+    const auto begin = text.find(start) + start.size();
+    const std::string parameters = text.substr(begin, text.find(") {", begin) - begin);
+    const std::vector<std::string> values = defaults_of(f);
+    std::string out;
+    std::size_t n = 0;
+    for (const std::string_view member : glsl::detail::members(parameters)) {
+        const auto words = glsl::detail::words_of(member);
+        const std::string_view name = words.back(), type = words[words.size() - 2];
+        constexpr std::string_view of_all[]{"map", "size", "coord", "receiver", "a", "b", "c", "d"};
+        if (std::ranges::count(of_all, name) > 0) continue;
+        if (n >= values.size()) throw std::runtime_error("no default of " + start + std::string(name));
+        out += std::string(out.empty() ? "" : ", ") + "{ name: " + literal(name) + ", type: " + literal(type) +
+               ", value: " + values[n++] + " }";
+    }
+    if (n != values.size()) throw std::runtime_error("defaults for no argument of " + start);
+    return '[' + out + ']';
+}
+
+/// The property of a filter's snippet; of other snippets nothing.
+inline std::string filter_of(const snippet& s) {
+    static const std::map<std::string_view, std::string> all = [] {
+        std::map<std::string_view, std::string> filters;
+        const auto add = [&](const auto& f) {
+            std::string out = " filter: { reads: " + literal(reads(f)) +
+                              ", reach: " + numbers({umbrage::detail::reach_of(f)}) + ", arguments: " + arguments_of(f);
+            if constexpr (requires { f.offsets; }) {
+                out += ", offsets: [";
+                for (const glm::vec2 offset : f.offsets) out += (out.back() == '[' ? "" : ", ") + numbers(offset);
+                out += ']';
+            }
+            filters[f.snippet->name] = out + " },";
+        };
+        umbrage::filters::all::for_each(add);
+        umbrage::filters::soft::for_each(add);
+        umbrage::prefilters::all::for_each(add);
+        return filters;
+    }();
+    const auto found = all.find(s.name);
+    return found == all.end() ? "" : found->second;
+}
+
+}  // namespace package

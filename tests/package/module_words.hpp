@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// What the npm package's data are written with: literals of JavaScript, and what a snippet is there.
+#pragma once
+
+#include <iomanip>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "languages.hpp"
+
+namespace package {
+
+using glsl::snippet;
+
+/// A text between backticks.
+inline std::string template_literal(const std::string& text) {
+    if (text.find_first_of("`\\$") != text.npos) throw std::runtime_error("not fit for a template literal: " + text);
+    return '`' + text + '`';
+}
+
+inline std::string_view role(glsl::hook h) {
+    switch (h) {
+        case glsl::hook::none: return "none";
+        case glsl::hook::cleared_depth: return "cleared_depth";
+        case glsl::hook::map_covers: return "map_covers";
+        case glsl::hook::beyond_far_plane: return "beyond_far_plane";
+        case glsl::hook::within_far_plane: return "within_far_plane";
+        case glsl::hook::compare: return "compare";
+        case glsl::hook::texel: return "texel";
+        case glsl::hook::fetch_depth: return "fetch_depth";
+        case glsl::hook::lit: return "lit";
+        case glsl::hook::lit_2x2: return "lit_2x2";
+        case glsl::hook::gather_lit: return "gather_lit";
+        case glsl::hook::lit_filtered: return "lit_filtered";
+        case glsl::hook::lit_at: return "lit_at";
+        case glsl::hook::depth_at: return "depth_at";
+        case glsl::hook::chosen: return "chosen";
+    }
+    return "";
+}
+
+/// A quotient of integers as JavaScript has it. Bundlers keep what divides, as they do not know that it has no effect.
+inline std::string quotient(long a, long b) {
+    std::ostringstream out;
+    out << std::setprecision(17) << static_cast<double>(a) / static_cast<double>(b);
+    return out.str();
+}
+
+/// Snippets of a module that imports them all.
+inline std::string snippets(std::span<const snippet* const> all) {
+    std::string out = "[";
+    for (const snippet* s : all) out += (out.size() > 1 ? ", snippets." : "snippets.") + std::string(s->name);
+    return out + ']';
+}
+
+/// What is promised of a snippet.
+inline std::string promise_of(const snippet& s, glsl::tier exactness) {
+    return "exactness: \"" + std::string(1, "abc"[static_cast<int>(exactness)]) +
+           "\", operations: " + std::to_string(s.operations) +
+           ", within: " + (s.within > 0.0f ? quotient(1, static_cast<int>(1.0f / s.within)) : "0") +
+           ", as_written: " + (s.as_written ? "true" : "false");
+}
+
+/// A snippet's text for a 2D texture of depths.
+inline std::string plain_text(const shader_language& l, const snippet& s) {
+    const std::string text = l.words->translate(s);
+    if (!glsl::detail::is_of_map(s)) return text;
+    const glsl::detail::texture_words words = l.words->texture(glsl::texture::texture_2d);
+    return glsl::detail::laid_out(glsl::detail::for_map(text, s, s, words));
+}
+
+}  // namespace package
