@@ -587,4 +587,8 @@ export const diffuse_ambient: Snippet;
 export const false_color: Snippet;
 /** which texel of a map stretched over the picture's corner a pixel shows, along one side */
 export const overlay_texel: Snippet;
+/** debug color of a place in a map: its texels, or why it cannot be shadowed */
+export const probe_color: Snippet;
+/** debug color, unless position or normal are wrong */
+export const probe_inputs: Snippet;
 

@@ -4111,6 +4111,50 @@ UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIG
 }
 ` };
 
+const probe_color = { language, name: "probe_color", summary: "debug color of a place in a map: its texels, or why it cannot be shadowed",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_probe_color: what a receiver's place in a map says, as a color
+//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
+//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
+//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
+                                       UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    bool usable = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;
+    bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    bool forward = umbrage_cleared_depth() > 0.5;
+    bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
+    bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
+    UMBRAGE_HIGHP float square = floor(at.x) + floor(at.y);
+    UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
+    UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    bits = bits - 2.0 * floor(bits * 0.5);
+    UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
+    color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);
+    color = past_near ? vec3(0.0, 0.0, 1.0) : color;
+    color = past_far ? vec3(0.0, 1.0, 1.0) : color;
+    color = inside ? color : vec3(1.0, 1.0, 1.0);
+    color = at.x < 65536.0 ? color : vec3(0.0, 0.0, 0.0);
+    return usable ? color : vec3(1.0, 0.0, 1.0);
+}
+` };
+
+const probe_inputs = { language, name: "probe_inputs", summary: "debug color, unless position or normal are wrong",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
+                                        UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    bool usable = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
+    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec3 given = zero ? vec3(1.0, 1.0, 0.0) : color;
+    return usable ? given : vec3(1.0, 0.0, 1.0);
+}
+` };
+
 module.exports = {
     shadow_coordinate,
     tap_coordinate,
@@ -4376,4 +4420,6 @@ module.exports = {
     diffuse_ambient,
     false_color,
     overlay_texel,
+    probe_color,
+    probe_inputs,
 };

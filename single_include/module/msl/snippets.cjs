@@ -3966,6 +3966,48 @@ inline float umbrage_overlay_texel(float coord, float size, float map_size, floa
 }
 ` };
 
+const probe_color = { language, name: "probe_color", summary: "debug color of a place in a map: its texels, or why it cannot be shadowed",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_probe_color: what a receiver's place in a map says, as a color
+//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
+//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
+//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+inline float3 umbrage_probe_color(float3 at, float2 size, float bias, float number) {
+    float limit = 18446744073709551616.0;
+    bool usable = metal::abs(at.x) < limit && metal::abs(at.y) < limit && metal::abs(at.z) < limit;
+    bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    bool forward = umbrage_cleared_depth() > 0.5;
+    bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
+    bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
+    float square = metal::floor(at.x) + metal::floor(at.y);
+    float shade = square - 2.0 * metal::floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
+    float3 bits = metal::floor(float3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    bits = bits - 2.0 * metal::floor(bits * 0.5);
+    float3 color = (bits * 0.5 + 0.375) * shade;
+    color = bias < 1.0 ? color : float3(1.0, 0.0, 0.0);
+    color = past_near ? float3(0.0, 0.0, 1.0) : color;
+    color = past_far ? float3(0.0, 1.0, 1.0) : color;
+    color = inside ? color : float3(1.0, 1.0, 1.0);
+    color = at.x < 65536.0 ? color : float3(0.0, 0.0, 0.0);
+    return usable ? color : float3(1.0, 0.0, 1.0);
+}
+` };
+
+const probe_inputs = { language, name: "probe_inputs", summary: "debug color, unless position or normal are wrong",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+inline float3 umbrage_probe_inputs(float3 color, float3 world, float3 normal) {
+    float limit = 18446744073709551616.0;
+    bool usable = metal::abs(world.x) < limit && metal::abs(world.y) < limit && metal::abs(world.z) < limit;
+    usable = usable && metal::abs(normal.x) < limit && metal::abs(normal.y) < limit && metal::abs(normal.z) < limit;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    float3 given = zero ? float3(1.0, 1.0, 0.0) : color;
+    return usable ? given : float3(1.0, 0.0, 1.0);
+}
+` };
+
 module.exports = {
     shadow_coordinate,
     tap_coordinate,
@@ -4231,4 +4273,6 @@ module.exports = {
     diffuse_ambient,
     false_color,
     overlay_texel,
+    probe_color,
+    probe_inputs,
 };

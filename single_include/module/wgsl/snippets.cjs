@@ -3951,6 +3951,48 @@ fn umbrage_overlay_texel(coord: f32, size: f32, map_size: f32, texels_per_pixel:
 }
 ` };
 
+const probe_color = { language, name: "probe_color", summary: "debug color of a place in a map: its texels, or why it cannot be shadowed",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_probe_color: what a receiver's place in a map says, as a color
+//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
+//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
+//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+fn umbrage_probe_color(at: vec3f, size: vec2f, bias: f32, number: f32) -> vec3f {
+    let limit: f32 = 18446744073709551616.0;
+    let usable: bool = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;
+    let inside: bool = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    let forward: bool = umbrage_cleared_depth() > 0.5;
+    let past_far: bool = select((at.z < 0.0), (at.z > 1.0), forward);
+    let past_near: bool = select((at.z > 1.0), (at.z < 0.0), forward);
+    let square: f32 = floor(at.x) + floor(at.y);
+    let shade: f32 = select(1.0, 0.75, square - 2.0 * floor(square * 0.5) > 0.5);
+    var bits: vec3f = floor(vec3f(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    bits = bits - 2.0 * floor(bits * 0.5);
+    var color: vec3f = (bits * 0.5 + 0.375) * shade;
+    color = select(vec3f(1.0, 0.0, 0.0), color, bias < 1.0);
+    color = select(color, vec3f(0.0, 0.0, 1.0), past_near);
+    color = select(color, vec3f(0.0, 1.0, 1.0), past_far);
+    color = select(vec3f(1.0, 1.0, 1.0), color, inside);
+    color = select(vec3f(0.0, 0.0, 0.0), color, at.x < 65536.0);
+    return select(vec3f(1.0, 0.0, 1.0), color, usable);
+}
+` };
+
+const probe_inputs = { language, name: "probe_inputs", summary: "debug color, unless position or normal are wrong",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+fn umbrage_probe_inputs(color: vec3f, world: vec3f, normal: vec3f) -> vec3f {
+    let limit: f32 = 18446744073709551616.0;
+    var usable: bool = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
+    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    let zero: bool = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    let given: vec3f = select(color, vec3f(1.0, 1.0, 0.0), zero);
+    return select(vec3f(1.0, 0.0, 1.0), given, usable);
+}
+` };
+
 module.exports = {
     shadow_coordinate,
     tap_coordinate,
@@ -4216,4 +4258,6 @@ module.exports = {
     diffuse_ambient,
     false_color,
     overlay_texel,
+    probe_color,
+    probe_inputs,
 };
