@@ -7,6 +7,7 @@
 #     make gpu     what this machine's GPU computes beside C++: a page for each API, build/gpu/report-*.md
 #     make lint    the rules of the house that scripts hold
 #     make format  formats all C++ files
+#     make hosts   the npm package's addons in every version of three.js that they support
 #     make users   the unit tests as users compile them: part of make prove
 #     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
@@ -59,7 +60,7 @@ endef
 
 # What drives the browser, for the tests in WebGL; two compilers of WGSL, Tint in Dawn and naga; bundlers and TypeScript,
 # of versions that run on Debian's Node 18, for the npm package.
-node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0 \
+node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0 three@0.187.0 \
     esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
 define from_npm
 @for module in $(node_modules); do \
@@ -72,7 +73,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu lint format newest-clang demo gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test unit gpu hosts lint format newest-clang demo gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -162,6 +163,24 @@ users:
 	        ctest --test-dir $$build -R '^unit/' -j 2 --output-on-failure; \
 	    done; \
 	done
+
+# The npm package's addons in every version that they support.
+three_versions := 182 184 186
+hosts:
+	$(call install,$(unit_packages) $(node_packages) chromium)
+	$(from_npm)
+	@test -f build/dev/build.ninja || cmake --preset dev
+	cmake --build --preset dev --target hosts_twin
+	@status=0; for revision in $(three_versions) 187; do \
+	    modules=build/hosts/$$revision/node_modules; \
+	    test -d $$modules/three || npm install --prefix build/hosts/$$revision --silent --no-audit --no-fund \
+	        three@0.$$revision.0 playwright-core@1.56.1 || exit 1; \
+	    for page in three.html three_webgpu.html three_webgpu.html#webgl; do \
+	        echo "three.js r$$revision, $$page"; \
+	        node tests/hosts/drive.mjs $$page single_include build/dev/tests/hosts/hosts_twin $$modules \
+	            build/hosts/$$revision/$$page || status=1; \
+	    done; \
+	done; exit $$status
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
 bench-packing:

@@ -52,11 +52,27 @@ rg11.format = 'R8';
 // @ts-expect-error no such encoding
 encodings.rg17;
 `;
+const addons = `
+import { pcss16 } from 'umbrage';
+import { install, uninstall } from 'umbrage/three';
+import { shadow_filter } from 'umbrage/three/webgpu';
+import * as wgsl from 'umbrage/wgsl';
+
+declare const THREE: import('umbrage/three').Three, renderer: object;
+install(THREE, renderer, { filter: pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true });
+uninstall(THREE);
+shadow_filter({ wgsl: wgsl.pcss16, glsl: pcss16 });
+// @ts-expect-error a filter in another language
+install(THREE, renderer, { filter: wgsl.pcss16 });
+// @ts-expect-error no filter
+shadow_filter({});
+`;
+writeFileSync(join(folder, 'addons.mts'), addons);
 writeFileSync(join(folder, 'import.mts'), program);
 writeFileSync(join(folder, 'require.cts'), program);
 writeFileSync(join(folder, 'bundled.ts'), program);
 let failed = false;
-for (const [module, resolution, files] of [['nodenext', 'nodenext', ['import.mts', 'require.cts']], ['esnext', 'bundler', ['bundled.ts']]]) {
+for (const [module, resolution, files] of [['nodenext', 'nodenext', ['import.mts', 'require.cts', 'addons.mts']], ['esnext', 'bundler', ['bundled.ts']]]) {
     const options = ['--noEmit', '--strict', '--noUncheckedIndexedAccess', '--exactOptionalPropertyTypes', '--target', 'es2022',
         '--module', module, '--moduleResolution', resolution];
     try {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// three.js with WebGLRenderer: the filters of this package on three's own shadow maps, for every material that receives
+// shadows. three's bias, normalBias and intensity keep their meaning; point lights keep three's own hard shadow.
+//
+//     import * as THREE from 'three';
+//     import { castano_dyadic5 } from 'umbrage';
+//     import { install } from 'umbrage/three';
+//     install(THREE, renderer, { filter: castano_dyadic5 });  // before the first frame
+import { bind, disc_rotation, probe_color, text } from '../umbrage.mjs';
+import { checked_arguments, literal, must } from './options.mjs';
+
+const chunk_names = ['shadowmap_pars_fragment', 'dithering_fragment'], first_revision = 182;
+const installed = new Map();  // ShaderChunk -> what it takes to restore it
+
+/** three's own getShadow for maps of plain depths: where it begins and ends in the chunk. */
+function own_function(chunk) {
+    const heads = [...chunk.matchAll(/float getShadow\( sampler2D shadowMap[^{]*\{/g)];
+    const head = heads.at(-1);  // behind the one for variance maps
+    const parameters = 'sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, '
+        + 'float shadowRadius, vec4 shadowCoord';
+    must('three: install', heads.length === 2 && head[0].includes(parameters),
+        'THREE must have the shadow shader of r182 or later', 'another text of shadowmap_pars_fragment');
+    let depth = 1, end = head.index + head[0].length;
+    for (; depth > 0; ++end) depth += { '{': 1, '}': -1 }[chunk[end]] ?? 0;
+    return { head: head[0], begin: head.index, end };
+}
+
+/** The chunk with our function in place of three's. */
+function with_filter(chunk, filter, given, reversed, probe) {
+    const { head, begin, end } = own_function(chunk);
+    const further = filter.filter.arguments.map(({ name, type }) =>
+        name === 'rotation' ? 'umbrage_disc_rotation( gl_FragCoord.xy )'
+        : name === 'radius' && type === 'float' && !(name in given.own) ? 'shadowRadius'
+        : name === 'softness' ? `( ${literal(type, given.all[name])} * vec3( shadowRadius, 1.0, 1.0 ) )`
+        : literal(type, given.all[name]));
+    const map = { texture: 'depth', direction: reversed ? 'reversed' : 'forward', outside: 'bordered', origin: 'umbrage_tile' };
+    const items = [disc_rotation, bind(filter, 'three', map), ...(probe ? [bind(probe_color, 'three', map)] : [])];
+    const declarations = `
+#if defined( SHADOWMAP_TYPE_BASIC )
+highp vec4 umbrage_receiver = vec4( 0.0 );  // texels, texels, depth, visibility
+highp vec3 umbrage_color = vec3( 0.5 );
+highp vec2 umbrage_tile = vec2( 0.0 );      // of a SunLight, whose texture holds several maps
+${text(items, '300 es')}
+#endif
+`;
+    const body = `${head}
+			shadowCoord.xyz /= shadowCoord.w;
+			shadowCoord.z ${reversed ? '-' : '+'}= shadowBias;
+			highp vec2 texture_size = vec2( textureSize( shadowMap, 0 ) );
+			highp vec2 maps = max( floor( texture_size / shadowMapSize + 0.5 ), vec2( 1.0 ) );
+			highp vec2 size = texture_size / maps;
+			highp vec2 chosen = clamp( floor( shadowCoord.xy * maps ), vec2( 0.0 ), maps - 1.0 );
+			umbrage_tile = chosen * size;
+			highp vec3 at = vec3( shadowCoord.xy * texture_size - umbrage_tile, shadowCoord.z );
+			float shadow = umbrage_${filter.name}_three( shadowMap, size, at.xy, at.z${further.map(a => `, ${a}`).join('')} );
+			umbrage_receiver = vec4( at, shadow );${probe ? `
+			umbrage_color = umbrage_probe_color_three( at, size, abs( shadowBias ), chosen.x );` : ''}
+			return mix( 1.0, shadow, shadowIntensity );
+		}`;
+    const place = '#ifdef USE_SHADOWMAP';
+    must('three: install', chunk.indexOf(place) < begin, 'THREE must have the shadow shader of r182 or later', 'another order');
+    return chunk.slice(0, begin).replace(place, place + declarations) + body + chunk.slice(end);
+}
+
+/** Puts a filter in place of three's own, for all lights and materials of a page. */
+export function install(THREE, renderer, options = {}) {
+    const where = 'three: install', { filter, probe = false, scene } = options;
+    must(where, Number.parseInt(THREE?.REVISION) >= first_revision, `THREE must be r${first_revision} or later`, THREE?.REVISION);
+    must(where, renderer instanceof THREE.WebGLRenderer,
+        'renderer must be a WebGLRenderer of this copy of three.js', renderer?.constructor?.name ?? renderer);
+    const given = checked_arguments(where, filter, options.arguments);
+    if (installed.has(THREE.ShaderChunk)) uninstall(THREE);
+    const chunks = Object.fromEntries(chunk_names.map(name => [name, THREE.ShaderChunk[name]]));
+    const material = THREE.Material.prototype, key = material.customProgramCacheKey;
+    const reversed = renderer.state.buffers.depth.getReversed() === true;
+    THREE.ShaderChunk.shadowmap_pars_fragment = with_filter(chunks.shadowmap_pars_fragment, filter, given, reversed, probe);
+    if (probe)
+        THREE.ShaderChunk.dithering_fragment += '\n#if defined( USE_SHADOWMAP ) && defined( SHADOWMAP_TYPE_BASIC )\n'
+            + 'gl_FragColor.rgb = umbrage_color;\n#endif\n';
+    const mark = `umbrage ${filter.name} ${JSON.stringify(given.all)} ${reversed} ${probe}`;  // programs are cached by it
+    material.customProgramCacheKey = function () { return key.call(this) + mark; };
+    installed.set(THREE.ShaderChunk, { chunks, key, renderer, type: renderer.shadowMap.type });
+    renderer.shadowMap.type = THREE.BasicShadowMap;  // depths as they are
+    compile_again(scene);
+}
+
+/** Restores three's own text, byte for byte. */
+export function uninstall(THREE, { scene } = {}) {
+    const own = installed.get(THREE.ShaderChunk);
+    if (!own) return;
+    Object.assign(THREE.ShaderChunk, own.chunks);
+    THREE.Material.prototype.customProgramCacheKey = own.key;
+    own.renderer.shadowMap.type = own.type;
+    installed.delete(THREE.ShaderChunk);
+    compile_again(scene);
+}
+
+function compile_again(scene) {
+    scene?.traverse(object => {
+        for (const material of [object.material ?? []].flat()) material.needsUpdate = true;
+    });
+}

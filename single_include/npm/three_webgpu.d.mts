@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// Types of umbrage/three/webgpu.
+import type { Snippet as GlslSnippet } from '../umbrage.mjs';
+import type { Snippet } from '../wgsl.mjs';
+
+export interface Options {
+    /** A filter that reads depths: wgsl.hard, wgsl.castano_dyadic5, wgsl.disc16, wgsl.pcss16, ... A light's shadow.radius is
+     *  a disc's radius in texels, and scales the softness of pcss and dpcf. */
+    readonly wgsl: Snippet;
+    /** The same filter in GLSL, for the WebGL 2 fallback; without it that one throws. */
+    readonly glsl?: GlslSnippet;
+    /** In place of the filter's defaults, see wgsl.filter.arguments. */
+    readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
+    /** A TSL property('vec4', ...) that gets the debug color of umbrage_probe_color; WebGPU alone. */
+    readonly probe?: any;
+    /** A TSL property('vec4', ...) that gets the receiver: texels, texels, depth, visibility. */
+    readonly receiver?: any;
+}
+
+/** A light's filter node: light.shadow.filterNode = shadow_filter({ wgsl: wgsl.pcss16 }). Maps are single textures: spot
+ *  and directional lights. CSMShadowNode clones shadows without their filterNode.
+ *  @throws Error   a filter or an argument that does not fit; while a shader is built: a missing glsl, compatibility mode */
+export function shadow_filter(options: Options): any;

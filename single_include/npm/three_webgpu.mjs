@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+//
+// three.js with WebGPURenderer: a light's filter node, of the filters of this package. Each light may have its own; three's
+// bias, normalBias and intensity keep their meaning. Point lights keep three's own filter.
+//
+//     import * as wgsl from 'umbrage/wgsl';
+//     import { shadow_filter } from 'umbrage/three/webgpu';
+//     light.shadow.filterNode = shadow_filter({ wgsl: wgsl.pcss16 });
+import { NearestFilter } from 'three/webgpu';
+import * as TSL from 'three/tsl';
+import { bind as bind_glsl, disc_rotation as rotation_glsl, text } from '../umbrage.mjs';
+import { bind, disc_rotation, functions, probe_color } from '../wgsl.mjs';
+import { checked_arguments, literal, must } from './options.mjs';
+
+const where = 'three/webgpu: shadow_filter', made = new Map(), pieces = new Map();
+
+/** A node for each function of WGSL: those of equal text are one node, so that several filters share a shader. */
+function nodes_of(items) {
+    return functions(items).map(({ text: piece }) => {
+        if (!pieces.has(piece)) pieces.set(piece, TSL.wgsl(`${piece}\n`));
+        return pieces.get(piece);
+    });
+}
+
+/** The call of a filter; the light's radius is a disc's radius, and scales a softness. */
+function call_of(filter, given, map, coord, vec3) {
+    const further = filter.filter.arguments.map(({ name, type }) =>
+        name === 'rotation' ? 'umbrage_disc_rotation(pixel)'
+        : name === 'radius' && type === 'float' && !(name in given.own) ? 'radius'
+        : name === 'softness' ? `(${literal(vec3, given.all[name])} * ${vec3}(radius, 1.0, 1.0))`
+        : literal(type, given.all[name]));
+    return `umbrage_${filter.name}_${map}(map, size, ${coord}, receiver${further.map(a => `, ${a}`).join('')})`;
+}
+
+function function_of(filter, given, language, direction) {
+    const name = `umbrage_three_${filter.name}`, map = `three_${direction}`;
+    const binding = { texture: 'depth', direction, outside: 'bordered' };
+    const key = JSON.stringify([language, name, map, given.all, Object.keys(given.own)]);
+    if (made.has(key)) return made.get(key);
+    const node = language === 'wgsl'
+        ? TSL.wgslFn(`fn ${name}_${made.size}(map: texture_depth_2d, size: vec2f, uv: vec2f, receiver: f32, radius: f32, `
+            + `pixel: vec2f) -> f32 {\n    return ${call_of(filter, given, map, 'uv * size', 'vec3f')};\n}`,
+            nodes_of([disc_rotation, bind(filter, map, binding)]))
+        // TSL names a parameter of type sampler2D otherwise than it calls it: another word for the type helps
+        : TSL.glslFn(`float ${name}_${made.size}(depthTexture map, vec2 size, vec2 uv, float receiver, float radius, `
+            + `vec2 pixel) {\n    return ${call_of(filter, given, map, 'vec2(uv.x, 1.0 - uv.y) * size', 'vec3')};\n}`,
+            [TSL.glsl(`\n#define depthTexture highp sampler2D\n${text([rotation_glsl, bind_glsl(filter, map, binding)], '300 es')}`)]);
+    made.set(key, node);
+    return node;
+}
+
+/** What umbrage_probe_color says of a receiver, for a material's outputNode. */
+function probe_of(at, size, bias, direction) {
+    const map = `three_${direction}`, key = `probe ${direction}`;
+    if (!made.has(key))
+        made.set(key, TSL.wgslFn(`fn umbrage_three_probe_${direction}(at: vec3f, size: vec2f, bias: f32) -> vec3f {\n`
+            + `    return umbrage_probe_color_${map}(at, size, bias, 0.0);\n}`,
+            nodes_of([bind(probe_color, map, { texture: 'depth', direction })])));
+    return made.get(key)({ at, size, bias });
+}
+
+/** A filter node: light.shadow.filterNode = shadow_filter({ wgsl: wgsl.pcss16 }). */
+export function shadow_filter({ wgsl, glsl, arguments: own, probe, receiver } = {}) {
+    const given = checked_arguments(where, wgsl, own);
+    must(where, glsl === undefined || glsl.name === wgsl.name, 'glsl must be the same filter in GLSL', glsl?.name);
+    return TSL.Fn(({ depthTexture, shadowCoord, shadow }, builder) => {
+        const { renderer } = builder, in_wgsl = renderer.backend.isWebGPUBackend === true;
+        must(where, in_wgsl || glsl !== undefined, 'glsl must be given for the WebGL 2 fallback', glsl);
+        must(where, renderer.backend.compatibilityMode !== true,
+            'the device must have core features: compatibility mode cannot load depths', 'compatibility mode');
+        must(where, depthTexture.isArrayTexture !== true, 'the map must be one texture', 'an array');
+        depthTexture.compareFunction = null;  // depths as they are
+        depthTexture.minFilter = depthTexture.magFilter = NearestFilter;
+        const of_shadow = (name, type) => TSL.reference(name, type, shadow).setGroup(TSL.renderGroup);
+        const size = of_shadow('mapSize', 'vec2'), coord = shadowCoord.toVar();
+        const direction = renderer.reversedDepthBuffer ? 'reversed' : 'forward';
+        const lit = function_of(in_wgsl ? wgsl : glsl, given, in_wgsl ? 'wgsl' : 'glsl', direction)({
+            map: TSL.texture(depthTexture), size, uv: coord.xy, receiver: coord.z,
+            radius: of_shadow('radius', 'float'), pixel: TSL.screenCoordinate.xy }).toVar();
+        const at = TSL.vec3((in_wgsl ? coord.xy : TSL.vec2(coord.x, coord.y.oneMinus())).mul(size), coord.z);
+        if (receiver) receiver.assign(TSL.vec4(at, lit));
+        if (probe && in_wgsl) probe.assign(TSL.vec4(probe_of(at, size, of_shadow('bias', 'float').abs(), direction), 1));
+        return lit;
+    });
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// three.js with WebGLRenderer: pictures of each filter; receivers, visibilities and the map as floats for C++.
+import * as THREE from 'three';
+import { castano_dyadic5, disc16, hard, pcss16, vsm } from '/package/umbrage.mjs';
+import { install, uninstall } from '/package/npm/three.mjs';
+import { base64, directional, height, make_scene, map_size, width } from '/scene.mjs';
+
+const float_target = (w, h) => new THREE.WebGLRenderTarget(w, h, {
+    type: THREE.FloatType, format: THREE.RGBAFormat, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
+
+function drawn(reversed = false) {
+    const renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true, reversedDepthBuffer: reversed });
+    renderer.setSize(width, height);
+    renderer.shadowMap.enabled = true;
+    return renderer;
+}
+
+/** (x, y) in texels, depth and visibility of each pixel, as the addon's own function saw them. */
+function receivers(renderer, scene, camera) {
+    scene.background = null;
+    scene.traverse(({ material }) => {
+        if (!material) return;
+        material.onBeforeCompile = shader => {
+            shader.fragmentShader = shader.fragmentShader.replace(/}\s*$/,
+                '#if defined( USE_SHADOWMAP )\ngl_FragColor = umbrage_receiver;\n#endif\n}');
+        };
+        material.needsUpdate = true;
+    });
+    const target = float_target(width, height), pixels = new Float32Array(width * height * 4);
+    renderer.setRenderTarget(target);
+    renderer.setClearColor(0, 0);
+    renderer.clear();
+    renderer.render(scene, camera);
+    renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
+    return pixels;
+}
+
+function depths_of(renderer, light, camera) {
+    const quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), new THREE.ShaderMaterial({
+        uniforms: { map: { value: light.shadow.map.depthTexture } },
+        vertexShader: 'void main() { gl_Position = vec4(position, 1.0); }',
+        fragmentShader: 'uniform highp sampler2D map;\n'
+            + 'void main() { gl_FragColor = vec4(texelFetch(map, ivec2(gl_FragCoord.xy), 0).x); }' }));
+    quad.frustumCulled = false;
+    const target = float_target(map_size, map_size), pixels = new Float32Array(map_size * map_size * 4);
+    renderer.shadowMap.autoUpdate = false;
+    renderer.setRenderTarget(target);
+    renderer.render(quad, camera);
+    renderer.readRenderTargetPixels(target, 0, 0, map_size, map_size, pixels);
+    return pixels.filter((_, i) => i % 4 === 0);
+}
+
+const picture = renderer => renderer.domElement.toDataURL();
+const chunks = () => THREE.ShaderChunk.shadowmap_pars_fragment + THREE.ShaderChunk.dithering_fragment;
+const refusal = call => { try { call(); return 'accepted'; } catch (error) { return error.message; } };
+
+export const done = (async () => {
+    const pictures = {}, floats = {}, said = {};
+    const own_text = chunks();
+    for (const filter of [null, hard, castano_dyadic5, disc16, pcss16]) {
+        const renderer = drawn(), { scene, camera, light } = make_scene(THREE, directional(THREE));
+        light.shadow.radius = filter === disc16 ? 3 : 1;
+        const name = filter?.name ?? 'own';
+        if (filter) install(THREE, renderer, { filter, arguments: filter === pcss16 ? { softness: [0.0234375, 16, 256] } : {} });
+        renderer.render(scene, camera);
+        pictures[name] = picture(renderer);
+        if (filter) {
+            floats[`${name}.receivers`] = base64(receivers(renderer, scene, camera));
+            floats[`${name}.map`] = base64(depths_of(renderer, light, camera));
+            uninstall(THREE);
+        }
+        renderer.dispose();
+        renderer.forceContextLoss();
+    }
+    said.restored = chunks() === own_text;
+
+    const renderer = drawn(true), spot = make_scene(THREE, new THREE.SpotLight(0xffffff, 200, 0, 0.6));
+    said.reversed = renderer.state.buffers.depth.getReversed();
+    install(THREE, renderer, { filter: castano_dyadic5 });
+    renderer.render(spot.scene, spot.camera);
+    pictures.reversed_spot = picture(renderer);
+    install(THREE, renderer, { filter: castano_dyadic5, probe: true, scene: spot.scene });  // another filter, at run time
+    renderer.render(spot.scene, spot.camera);
+    pictures.probe = picture(renderer);
+    uninstall(THREE, { scene: spot.scene });
+
+    if (Number(THREE.REVISION) >= 186) {  // the first that has this light
+        const { SunLight } = await import('/modules/three/examples/jsm/lights/SunLight.js');
+        const sun = make_scene(THREE, new SunLight(0xffffff, 2.2)), own = drawn();
+        own.render(sun.scene, sun.camera);
+        pictures.sun_own = picture(own);
+        const ours = drawn(), again = make_scene(THREE, new SunLight(0xffffff, 2.2));
+        install(THREE, ours, { filter: castano_dyadic5 });
+        ours.render(again.scene, again.camera);
+        pictures.sun = picture(ours);
+        uninstall(THREE);
+    }
+    said.moments = refusal(() => install(THREE, renderer, { filter: vsm }));
+    said.no_filter = refusal(() => install(THREE, renderer, { filter: 'pcss16' }));
+    said.argument = refusal(() => install(THREE, renderer, { filter: pcss16, arguments: { softnes: 1 } }));
+    said.number = refusal(() => install(THREE, renderer, { filter: pcss16, arguments: { softness: [1, 2] } }));
+    said.renderer = refusal(() => install(THREE, { shadowMap: {} }, { filter: hard }));
+    said.text = refusal(() => {
+        const other = { ...THREE, ShaderChunk: { ...THREE.ShaderChunk, shadowmap_pars_fragment: 'float getShadow() {}' } };
+        install(other, renderer, { filter: hard });
+    });
+    said.old = refusal(() => install({ ...THREE, REVISION: '176' }, renderer, { filter: hard }));
+    said.untouched = chunks() === own_text;
+    return { pictures, floats, said };
+})();

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// What a host's own shader said of its receivers, said again by C++:  hosts_twin FILTER RECEIVERS MAP WIDTH HEIGHT SIZE
+//
+// RECEIVERS are (x, y) in texels, depth and visibility of each pixel, from below; MAP has SIZE x SIZE depths. All floats.
+// Prints receivers, those in penumbra and those that differ; exit status 1 when one differs, or nothing was tried.
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <umbrage/umbrage.hpp>
+
+namespace {
+
+using namespace umbrage;
+
+std::vector<float> floats_of(const std::string& path, std::size_t count) {
+    std::vector<float> all(count);
+    std::ifstream in(path, std::ios::binary);
+    const auto bytes = static_cast<std::streamsize>(count * sizeof(float));
+    if (!in.read(reinterpret_cast<char*>(all.data()), bytes) || in.peek() != EOF)
+        throw std::runtime_error(path + " has not " + std::to_string(count) + " floats");
+    return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc != 7) throw std::invalid_argument("FILTER RECEIVERS MAP WIDTH HEIGHT SIZE");
+    const std::string filter = argv[1];
+    const int width = std::stoi(argv[4]), height = std::stoi(argv[5]), size = std::stoi(argv[6]);
+    const std::vector<float> receivers = floats_of(argv[2], std::size_t(width * height) * 4);
+    const std::vector<float> depths = floats_of(argv[3], std::size_t(size * size));
+    image<float> map({size, size});
+    std::copy(depths.begin(), depths.end(), map.texels().begin());
+    const auto texels = bordered(map, 1.0f);
+    const auto visibility = [&](glm::vec2 at, float depth, glm::vec2 turn) {
+        if (filter == "hard") return hard(texels, at, depth);
+        if (filter == "castano_dyadic5") return castano_dyadic<5>(texels, at, depth);
+        if (filter == "disc16") return disc<16>(texels, at, depth, 3.0f, turn);
+        if (filter == "pcss16") return pcss<16>(texels, at, depth, glm::vec3(0.0234375f, 16, 256), turn);
+        throw std::invalid_argument("no filter is called " + filter);
+    };
+    int tried = 0, in_penumbra = 0, differing = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const float* const r = &receivers[std::size_t(y * width + x) * 4];
+            if (r[0] == 0 && r[1] == 0 && r[2] == 0 && r[3] == 0) continue;  // where nothing was drawn
+            const glm::vec2 turn = disc_rotation(glm::vec2(float(x) + 0.5f, float(y) + 0.5f));
+            const float expected = visibility({r[0], r[1]}, r[2], turn);
+            ++tried;
+            in_penumbra += expected > 0 && expected < 1;
+            differing += expected != r[3];
+        }
+    std::printf("%s: %d receivers, %d in penumbra, %d differ\n", filter.c_str(), tried, in_penumbra, differing);
+    return tried > 10000 && differing == 0 ? 0 : 1;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "hosts_twin: %s\n", error.what());
+    return 2;
+}
