@@ -49,6 +49,7 @@
 #include <umbrage/shader/wgsl.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
+#include <umbrage/shadow/depth_pass.hpp>
 #include <umbrage/shadow/in_shader.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
 #include <umbrage/shadow/shadow.hpp>

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,36 @@ bool reads(version v, const Shadow& s, const texture_data& map, int number, map_
     const int wrong = compare(v, one, of.points, of.normals)[0];
     if (wrong != 0) std::printf("  not read as: %s\n", explain(expected));
     return wrong == 0;
+}
+
+/// A matrix in GLSL, to the bit.
+std::string literal(const glm::mat4& m) {
+    std::string all = "mat4(";
+    char number[32];
+    for (glm::length_t c = 0; c < 4; ++c)
+        for (glm::length_t r = 0; r < 4; ++r) {
+            std::snprintf(number, sizeof number, "%.9e", double(m[c][r]));
+            all.append(c + r == 0 ? "" : ", ").append(number);
+        }
+    return all + ")";
+}
+
+/// Vertices of the depth pass that differ from C++'s, in any component.
+template <class Shadow, class Twin>
+bool vertices_agree(version v, const Shadow& s, const texture_data& map, const std::string& arguments, const Twin& twin,
+                    const receivers& of, const std::function<float(glm::vec3)>& within = {}) {
+    std::vector<tried> components;
+    for (glm::length_t i = 0; i < 4; ++i) {
+        auto item = bind(s, "drawn");
+        const auto vertex = glsl::bind_vertex_pass(s, "drawn");
+        item.texts.insert(item.texts.end(), vertex.texts.begin(), vertex.texts.end());
+        components.push_back(make("drawn", s, item, map, "umbrage_vertex_drawn(" + arguments + ")." + "xyzw"[i],
+                                  [twin, i](glm::vec3 world, glm::vec3, glm::ivec2) { return twin(world)[i]; }));
+        components.back().within = within;
+    }
+    const auto wrong = compare(v, components, of.points, of.normals);
+    std::printf("  vertices: %d, %d, %d, %d differ\n", wrong[0], wrong[1], wrong[2], wrong[3]);
+    return wrong == std::vector<int>(4);
 }
 
 }  // namespace
@@ -113,6 +144,35 @@ int main() try {
         texture_data two = floats(moments, GL_RG32F);
         two.format = GL_RG;
         check(reads(v, smooth, two, 0, map_reading::right, of));
+
+        const auto matrix_of = [](const auto& s, bool whole) {
+            const light_space<double> light = s.set_up().lights().front();
+            return glm::mat4(whole ? light.projection * light.view : light.projection);
+        };
+        const glm::mat4 to_sun = matrix_of(sampled, true), to_spot = matrix_of(spot, true),
+                        to_halves = matrix_of(halves, false);
+        const float at_near = near_depth(sampled.set_up().clip());
+        check(vertices_agree(
+            v, sampled, texture(calibration_map(sampled)), literal(to_sun) + ", world * 4.0",
+            [&](glm::vec3 p) { return pancake(shadow_coordinate(to_sun, p * 4.0f), at_near); }, of));
+        check(vertices_agree(
+            v, spot, texture(known), literal(to_spot) + ", world",
+            [&](glm::vec3 p) { return shadow_coordinate(to_spot, p); }, of));
+        const glm::vec3 bulb_position(0.5f, 8.0f, 0.25f);
+        const auto half_place = [&](glm::vec3 p) { return dual_paraboloid_position(p - bulb_position, 1.0f); };
+        check(vertices_agree(
+            v, halves, texture(calibration_map(halves)), literal(to_halves) + ", world, vec3(0.5, 8.0, 0.25), 1.0",
+            [&](glm::vec3 p) {
+                const glm::vec4 q = half_place(p);
+                return to_halves[3] * q.w + to_halves[0] * q.x + to_halves[1] * q.y + to_halves[2] * q.z;
+            },
+            of,
+            [&](glm::vec3 p) {  // its square root and 22 operations more, of what adds up to a component
+                const glm::vec4 q = glm::abs(half_place(p));
+                glm::vec4 s(0);
+                for (glm::length_t c = 0; c < 4; ++c) s += glm::abs(to_halves[c]) * q[c];
+                return 0x1p-23f * 22.0f * std::max({s.x, s.y, s.z, s.w});
+            }));
 
         const auto compared = calibration_map(sampled);
         texture_data depth = floats(compared, GL_DEPTH_COMPONENT32F);

@@ -41,6 +41,13 @@ struct paraboloid_maps {
     static constexpr outside_map outside = outside_map::clamped;
     static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
     static constexpr bent_lines bends{tessellation_reach<float>, 1.0f / 4096.0f};
+    static constexpr glsl::vertex_place vertex{
+        ", UMBRAGE_HIGHP vec3 position, UMBRAGE_HIGHP float number",
+        "    UMBRAGE_HIGHP vec4 p = umbrage_dual_paraboloid_position(world - position, number);\n"
+        "    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 place =\n"
+        "        to_clip[3] * p.w + to_clip[0] * p.x + to_clip[1] * p.y + to_clip[2] * p.z;\n"
+        "    return place;\n",
+        &glsl::dual_paraboloid_position};
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const { return {2, make_dual_paraboloid_light(light)}; }

@@ -64,6 +64,13 @@ struct map_choice {
     }
 };
 
+/// How the depth pass has a vertex where that is no product of a matrix: statements of `to_clip`, `world` and what the
+/// parameters say.
+struct vertex_place {
+    std::string_view parameters, statements;
+    const glsl::snippet* needs;
+};
+
 }  // namespace glsl
 
 /// Maps of one size, row by row.
@@ -74,7 +81,8 @@ struct map_grid {
 /// How a light's maps are set up. `uniforms` holds mat4s and vec4s alone, in the order of `fields`, so that C++,
 /// std140, cbuffers, WGSL and Metal lay it out alike. `visibility` and `text` are twins: C++ calls look(place) where
 /// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose. One whose lights do
-/// not draw each into a map of its own has draw(depths, mesh, parallel); one that bends lines, bent_lines `bends`.
+/// not draw each into a map of its own has draw(depths, mesh, parallel); one that bends lines, bent_lines `bends` and
+/// vertex_place `vertex`.
 template <class SetUp>
 concept shadow_set_up = std::copyable<SetUp> &&
     requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,

@@ -82,25 +82,6 @@ TEST_CASE("in_shader: contact hardening along the receiver's plane, and prefilte
     CHECK(has(msl::text(both), "float2 receiver_slope,"));
 }
 
-TEST_CASE("in_shader: a depth pass writes the map's texels, packed or moments, in each language") {
-    const auto packed = glsl::bind_depth_pass(lamp_in_shader, "lamp");
-    CHECK(has(glsl::text({packed}, version::v330), "vec2 texel = umbrage_to_unorm(umbrage_encode_rg11_lamp(depth));"));
-    CHECK(has(glsl::text({packed}, version::v330), "return vec4(texel.x, texel.y, 0.0, 0.0);"));
-    CHECK(has(wgsl::text({packed}), "fn umbrage_write_lamp(depth: f32) -> vec4f {"));
-    CHECK(has(hlsl::text({packed}), "float4 umbrage_write_lamp(float depth) {"));
-    CHECK(has(msl::text({packed}), "float4 umbrage_write_lamp(float depth) {"));
-    const shadow powers(shadow_scene::spot(unity_clip_space), {256, 256}, prefilters::evsm4{});
-    const std::string text = wgsl::text({glsl::bind_depth_pass(powers, "powers"), packed});
-    CHECK(has(text, "fn umbrage_write_powers(depth: f32, filter_terms: vec4f) -> vec4f {"));
-    CHECK(has(text, "umbrage_encode_evsm4_powers(depth, vec2f(filter_terms.x, filter_terms.y))"));
-    const shadow single(shadow_scene::spot(cpu_clip_space), {256, 256}, prefilters::esm{});
-    CHECK(
-        has(glsl::text({glsl::bind_depth_pass(single, "lamp")}, version::v330), "return vec4(texel, 0.0, 0.0, 0.0);"));
-    CHECK(refusal([&] {
-              (void)glsl::bind_depth_pass(lamp_in_shader, "a b");
-          }).starts_with("umbrage::glsl::bind_depth_pass: name must be letters"));
-}
-
 TEST_CASE("in_shader: functions to debug a shadow, in each language") {
     const auto item = bind(sun_in_shader, "sun", {.map = glsl::texture::array, .debug = true});
     const std::string gl = glsl::text({item}, version::v330), w = wgsl::text({item});

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+//
+// What a shadow's depth pass calls in shaders. The vertex shader places vertices where the light is no plain matrix; the
+// fragment shader writes packed depths or moments.
+//
+//     std::string vertex = source(version::v330, {bind_vertex_pass(lamp, "lamp")});
+//     // gl_Position = umbrage_vertex_lamp(clip_from_world, world)
+//     std::string fragment = source(version::v330, {bind_depth_pass(lamp, "lamp")});
+//     // color = umbrage_write_lamp(gl_FragCoord.z)
+//
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <umbrage/light/pancake.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/shader/bind.hpp>
+#include <umbrage/shadow/shadow.hpp>
+
+namespace umbrage::glsl {
+
+namespace detail {
+
+/// How many channels a texel has.
+template <class Texel>
+inline constexpr int channels_of = 1;
+template <glm::length_t Channels>
+inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
+
+/// umbrage_write: the texel of a depth, as a color.
+/// @param stores      to_unorm of the target, null where the writer gives what to write
+/// @param arguments   of the writer behind the depth, of filter_terms
+[[nodiscard]] inline own_text write_text(const snippet& writer, const snippet* stores, int channels,
+                                         std::string_view arguments) {
+    std::string texel = "umbrage_" + std::string(writer.name) + "(depth" + std::string(arguments) + ")";
+    if (stores != nullptr) texel = "umbrage_" + std::string(stores->name) + "(" + texel + ")";
+    std::string color = channels == 1 ? "texel" : "texel.x, texel.y";
+    if (channels > 2) color += channels == 3 ? ", texel.z" : ", texel.z, texel.w";
+    for (int c = channels; c < 4; ++c) color += ", 0.0";
+    const std::string type = channels == 1 ? "float" : "vec" + std::to_string(channels);
+    own_text write{"write",
+                   "\n// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target\n"
+                   "UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth" +
+                       std::string(arguments.empty() ? "" : ", UMBRAGE_HIGHP vec4 filter_terms") +
+                       ") {\n    UMBRAGE_HIGHP " + type + " texel = " + texel + ";\n    return vec4(" + color +
+                       ");\n}\n"};
+    write.needs = {&cleared_depth, &writer};  // the first makes the text this map's own
+    if (stores != nullptr) write.needs.push_back(stores);
+    return write;
+}
+
+/// umbrage_vertex: a vertex in clip space.
+[[nodiscard]] inline own_text vertex_text(std::string_view parameters, std::string_view statements,
+                                          std::vector<const snippet*> needs) {
+    std::string source =
+        "\n// umbrage_vertex: clip space position of a vertex of the depth pass\n"
+        "UMBRAGE_HIGHP vec4 umbrage_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world";
+    source.append(parameters).append(") {\n").append(statements).append("}\n");
+    needs.push_back(&cleared_depth);  // which makes the text this map's own
+    return {"vertex", std::move(source), std::move(needs)};
+}
+
+}  // namespace detail
+
+/// What a shadow's depth pass writes into a color target: umbrage_write_<name>(depth), of the depth that the depth
+/// buffer has. The target has the encoding's format, is not sRGB and not blended; it is cleared to cleared(). Depths in
+/// a depth texture need no such text. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth,
+/// filter_terms).
+/// @param name    letters, digits, single underscores between them
+/// @throws std::invalid_argument   another name
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] bound bind_depth_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
+    umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
+                             "letters, digits and single underscores between them", name);
+    bound item(snippet{.name = "write", .source = ""}, name, {.direction = of.encoding().direction});
+    if constexpr (prefilter<Filter>)
+        item.texts = {detail::write_text(*Filter::writer, nullptr, detail::channels_of<typename Filter::texel>,
+                                         umbrage::detail::writer_arguments<Filter>())};
+    else {
+        const snippet* const stores = Encoding::writes == store_format::integers ? Encoding::target::to_unorm : nullptr;
+        item.texts = {detail::write_text(*Encoding::writer, stores, Encoding::target::channels, "")};
+    }
+    return item;
+}
+
+/// Where a shadow's depth pass has a vertex: umbrage_vertex_<name>(to_clip, world), in clip space.
+///
+/// to_clip is projection * view of one of set_up().lights(). Directional lights move casters that lie nearer than the
+/// near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the light's
+/// projection, then its position and the number of the half behind the vertex, (to_clip, world, position, number), and
+/// want the mesh finely cut: tessellate.
+/// @param name    letters, digits, single underscores between them
+/// @throws std::invalid_argument   another name
+/// @exactness     B, n = 6; dual paraboloids C
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] bound bind_vertex_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
+    umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_vertex_pass", "name",
+                             "letters, digits and single underscores between them", name);
+    bound item(snippet{.name = "vertex", .source = ""}, name, {.direction = of.encoding().direction});
+    if constexpr (requires { SetUp::vertex; }) {
+        item.texts = {detail::vertex_text(SetUp::vertex.parameters, SetUp::vertex.statements, {SetUp::vertex.needs})};
+    } else {
+        const light_space<double> light = of.set_up().lights().front();
+        const bool parallel = light.projection[2][3] == 0.0;  // w is 1
+        const std::string product = "umbrage_shadow_coordinate(to_clip, world)";
+        const std::string at_near = std::to_string(static_cast<int>(near_depth(light.clip))) + ".0";
+        const std::string position = parallel ? "umbrage_pancake(" + product + ", " + at_near + ")" : product;
+        item.texts = {detail::vertex_text("", "    return " + position + ";\n", {&shadow_coordinate, &pancake})};
+    }
+    return item;
+}
+
+}  // namespace umbrage::glsl
