@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Errors of bad input. All messages have one form: function, argument, condition, value and usual cause.
+// Errors for bad input. All messages have one form: function, argument, condition, value and usual cause.
 //
 //     detail::require(map_size >= 1, "make_cascades", "map_size", "above 0", map_size);
 //     // umbrage::make_cascades: map_size must be above 0; got 0
@@ -19,7 +19,7 @@
 
 namespace umbrage::detail {
 
-/// A value as messages print it. Words of this library, as "none", are printed as they are; text of a caller in quotes.
+/// Text of a value in an error message. This library's own words stay bare ("none"), and callers' text gets quotes.
 [[nodiscard]] inline std::string printed(const char* words) { return words; }
 [[nodiscard]] inline std::string printed(std::string_view text) { return std::string("\"").append(text).append("\""); }
 template <class T>
@@ -34,7 +34,7 @@ requires std::is_arithmetic_v<T>
     }
 }
 
-/// Sizes are "640 x 480", other vectors "(1, 0.5, 0)", matrices their columns.
+/// Text of a vector: sizes print as "640 x 480", other vectors as "(1, 0.5, 0)". A matrix prints as its columns.
 template <glm::length_t N, class T>
 [[nodiscard]] std::string printed(const glm::vec<N, T>& v) {
     constexpr bool size = std::is_same_v<glm::vec<N, T>, glm::ivec2>;
@@ -49,15 +49,15 @@ template <glm::length_t Columns, glm::length_t Rows, class T>
     return text.append(")");
 }
 
-/// Refuses an argument, or several, of a function: "umbrage::function: argument must be condition; got value. Cause"
-/// @param got     the argument's value, see printed
-/// @param cause   what usually leads there, or what to do; may be empty
+/// Reports a wrong argument, or several: "umbrage::function: argument must be condition; got value. Cause".
+/// @param got     value of the argument, see printed
+/// @param cause   the usual cause, or the remedy; may be empty
 /// @throws std::invalid_argument   always, see fail
 template <class Value>
 [[noreturn]] void refuse(std::string_view function, std::string_view argument, std::string_view condition,
                          const Value& got, std::string_view cause = {}) {
     const std::string value = printed(got);
-    std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
+    std::string message = "umbrage::";  // append() instead of +, which GCC 12 sometimes suspects of an overrun
     for (const std::string_view part : {function, std::string_view(": "), argument, std::string_view(" must be "),
                                         condition, std::string_view("; got "), std::string_view(value)})
         message.append(part);
@@ -65,14 +65,15 @@ template <class Value>
     fail(message);
 }
 
-/// Refuses an argument unless the condition is met.
+/// Reports a wrong argument unless the condition is met.
 template <class Value>
 constexpr void require(bool met, std::string_view function, std::string_view argument, std::string_view condition,
                        const Value& got, std::string_view cause = {}) {
     if (!met) refuse(function, argument, condition, got, cause);
 }
 
-/// Refuses an image of another size than `whose`, as in "the receivers' size".
+/// Reports an image of a wrong size.
+/// @param whose   name of the wanted size, such as "the receivers' size"
 inline void require_size(glm::ivec2 got, glm::ivec2 wanted, std::string_view function, std::string_view argument,
                          std::string_view whose) {
     if (got != wanted) refuse(function, argument, std::string(whose).append(", ").append(printed(wanted)), got);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Conventions as values: which way the camera looks, what depth means, where the first texel is.
-// Passed explicitly everywhere; GLM's configuration macros are neither read nor needed.
+// Clip space conventions as values: handedness, depth range, depth direction and the place of the first texel.
+// Functions take them as an argument. They neither read nor need GLM's configuration macros.
 //
 //     auto light = umbrage::make_spot_light({.position = p, .direction = d, .clip = umbrage::vulkan_clip_space});
 //
@@ -16,21 +16,21 @@
 
 namespace umbrage {
 
-/// Of the world and of view space alike, as in lookAtRH and lookAtLH: the view is a rotation, never a mirror.
-/// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what
-/// goes clockwise for the light goes clockwise in NDC, y up.
+/// Handedness of the world and of view space, as in lookAtRH and lookAtLH. The view is a rotation, never a mirror.
+/// Seen from the light, x points right and y up. `right` looks down -z, `left` looks down +z.
+/// A mesh keeps its winding: a triangle that is clockwise for the light is clockwise in NDC with y up.
 enum class handedness { right, left };
-enum class depth_range { unset, zero_to_one, minus_one_to_one };  ///< of z/w between the planes
-enum class depth_direction { forward, reversed };                 ///< reversed: the near plane has the greater depth
-enum class texture_origin { bottom, top };                        ///< where texel (0, 0) is: at NDC y = -1, or y = +1
+enum class depth_range { unset, zero_to_one, minus_one_to_one };  ///< range of z/w from the near to the far plane
+enum class depth_direction { forward, reversed };                 ///< reversed: depth is larger at the near plane
+enum class texture_origin { bottom, top };                        ///< place of texel (0, 0): at NDC y = -1, or y = +1
 
-/// Treatment of texels outside the map.
+/// Value of texels outside the map.
 enum class outside_map {
-    bordered,  ///< the far plane, as under a border sampler: all outside the map is lit. The default of whole maps
-    clamped,   ///< the nearest texel inside: what tiles with a gutter and faces of cubes want
+    bordered,  ///< depth of the far plane, as with a border sampler: lit outside the map. The default, except for tiles
+    clamped,   ///< the nearest texel inside: for tiles with a gutter, and for cube faces
 };
 
-/// Nothing can guess it, and a wrong one makes everything lit: functions refuse one whose range is unset.
+/// Clip space that the map is drawn with. A wrong one makes everything lit, so functions refuse an unset range.
 struct clip_space {
     handedness hand = handedness::right;
     depth_range range = depth_range::unset;
@@ -40,39 +40,39 @@ struct clip_space {
     friend constexpr bool operator==(const clip_space&, const clip_space&) = default;
 };
 
-/// Right-handed world, z/w in [-1, 1], texels from the bottom. With glClipControl: vulkan_clip_space.
+/// Right-handed world with z/w in [-1, 1] and the first texel at the bottom. With glClipControl use vulkan_clip_space.
 inline constexpr clip_space opengl_clip_space{.range = depth_range::minus_one_to_one};
 
-/// Right-handed world, z/w in [0, 1]; the first texel is at NDC y = -1, which Vulkan draws at the top.
+/// Right-handed world with z/w in [0, 1]. The first texel is at NDC y = -1, which Vulkan draws at the top.
 inline constexpr clip_space vulkan_clip_space{.range = depth_range::zero_to_one};
 
-/// Left-handed world, as D3DXMatrixLookAtLH has it, z/w in [0, 1], texels from the top.
+/// Left-handed world as in D3DXMatrixLookAtLH, with z/w in [0, 1] and the first texel at the top.
 inline constexpr clip_space direct3d_clip_space{
     .hand = handedness::left, .range = depth_range::zero_to_one, .origin = texture_origin::top};
 
-/// Right-handed world, z/w in [0, 1], texels from the top: WebGPU as three.js and glTF viewers use it, and right-handed
-/// worlds under Direct3D. WebGPU and Metal have no hand of their own: for a left-handed world take direct3d_clip_space.
+/// Right-handed world with z/w in [0, 1] and the first texel at the top. It fits WebGPU in three.js and glTF viewers.
+/// It also fits right-handed worlds under Direct3D. For a left-handed world in WebGPU or Metal use direct3d_clip_space.
 inline constexpr clip_space webgpu_clip_space{.range = depth_range::zero_to_one, .origin = texture_origin::top};
 inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 
-/// Left-handed world, y up, depth reversed, texels from the top. Under OpenGL z/w is in [-1, 1], depth forward, and
-/// texels start at the bottom.
+/// Left-handed world with y up, reversed depth and the first texel at the top.
+/// Under OpenGL z/w is in [-1, 1], depth is forward, and the first texel is at the bottom.
 inline constexpr clip_space unity_clip_space{.hand = handedness::left,
                                              .range = depth_range::zero_to_one,
                                              .direction = depth_direction::reversed,
                                              .origin = texture_origin::top};
 inline constexpr clip_space unity_opengl_clip_space{.hand = handedness::left, .range = depth_range::minus_one_to_one};
 
-/// As Unity's. The world's up is z: give set-ups .up = {0, 0, 1}.
+/// Unity's clip space, in a world whose up axis is z: pass .up = {0, 0, 1} to the setup functions.
 inline constexpr clip_space unreal_clip_space = unity_clip_space;
 
-/// Godot 4.3 and later: right-handed world, depth reversed, the first texel at NDC y = -1.
+/// Right-handed world with reversed depth and the first texel at NDC y = -1, for Godot 4.3 and later.
 inline constexpr clip_space godot_clip_space{.range = depth_range::zero_to_one, .direction = depth_direction::reversed};
 
-/// Right-handed world, z/w in [0, 1], texels from the bottom: where no API draws, as in tests and on the CPU.
+/// Right-handed world with z/w in [0, 1] and the first texel at the bottom. For maps that no API draws, as on the CPU.
 inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one};
 
-/// Clip spaces of APIs and engines, with their names.
+/// Name and value of each API's and engine's clip space.
 struct named_clip_space {
     std::string_view name;
     clip_space value;
@@ -95,14 +95,14 @@ namespace detail {
     refuse(function, argument, "given", "unset", names.append("or cpu_clip_space where no API draws."));
 }
 
-/// Refuses a clip space that nobody gave, in the name of a function whose argument it is.
+/// Reports an unset clip space, in the name of the function that takes it as an argument.
 constexpr void require_given(clip_space clip, const char* function, const char* argument = "clip") {
     if (clip.range == depth_range::unset) refuse_unset(function, argument);
 }
 
 }  // namespace detail
 
-/// The depth of the far plane, to which a map is cleared.
+/// Depth of the far plane, the value to clear a map to.
 [[nodiscard]] constexpr float cleared_depth(depth_direction direction) {
     return direction == depth_direction::forward ? 1.0f : 0.0f;
 }

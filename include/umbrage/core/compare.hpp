@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The depth test of a shadow map, and the two classic samples' ways to write it.
+// Depth comparison of a shadow map, and the forms that two well-known samples use.
 //
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
 //
-// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or
-// comparison where the direction is known when the program runs (in shaders: the binding's direction). A NaN on either
-// side is in shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far_plane
-// before they compare.
+// Filters compare once per texel with less_equal, without an epsilon. For reversed Z pass greater_equal.
+// Pass comparison if the direction is known only at run time. In shaders the binding gives the direction.
+// NaN on either side is in shadow. A receiver beyond the far plane is lit: filters test beyond_far_plane first.
+// Also called: shadow test, depth test, reversed Z.
 #pragma once
 
 #include <umbrage/core/clip_space.hpp>
@@ -16,7 +16,7 @@
 
 namespace umbrage {
 
-/// Lit when the receiver is no farther than the stored occluder.
+/// Lit if the receiver is no farther than the stored occluder.
 /// @exactness     A
 struct less_equal {
     template <real T>
@@ -33,7 +33,7 @@ struct less_equal {
     }
 };
 
-/// The same for reversed Z, where near is 1.
+/// Lit if the receiver is no farther than the stored occluder, for reversed Z: the near plane is 1.
 struct greater_equal {
     template <real T>
     [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
@@ -49,8 +49,8 @@ struct greater_equal {
     }
 };
 
-/// less_equal for depths on a scale of their own, as level_rg and decode_ps14 have them, where 1 is not the far plane:
-/// receivers beyond it come in as what every texel lights.
+/// less_equal for depths on another scale, such as those of level_rg and decode_ps14. There 1 is not the far plane.
+/// A receiver beyond the far plane arrives as a value that every texel lights.
 struct less_equal_scaled : less_equal {
     template <real T>
     [[nodiscard]] static constexpr bool beyond_far_plane(T) {
@@ -58,7 +58,7 @@ struct less_equal_scaled : less_equal {
     }
 };
 
-/// less_equal, or greater_equal where depth is reversed.
+/// less_equal, or greater_equal for reversed depth.
 struct comparison {
     depth_direction direction = depth_direction::forward;
 
@@ -79,7 +79,7 @@ struct comparison {
     }
 };
 
-/// True for receivers behind the far plane, where no map reaches; never for a comparison on a scale of its own.
+/// True for receivers beyond the far plane, which no map covers. Always false for a comparison on another scale.
 /// @exactness     A
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr bool beyond_far_plane(T receiver, const Compare& is_lit = {}) {
@@ -87,15 +87,16 @@ template <real T, class Compare = less_equal>
     else return false;
 }
 
-/// True for receivers up to the far plane; false beyond it. For NaN neither this nor beyond_far_plane is true.
+/// True for receivers up to the far plane, false beyond it. For NaN both this and beyond_far_plane are false.
 /// @exactness     A
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr bool within_far_plane(T receiver, const Compare& is_lit = {}) {
     return !is_nan(receiver) && !beyond_far_plane(receiver, is_lit);
 }
 
-/// Visibility of one comparison.
-/// @param receiver   depth, biased;   stored  depth from the map
+/// Visibility from one comparison.
+/// @param receiver   receiver depth, with the bias already applied
+/// @param stored     depth from the map
 /// @return           1 when lit, 0 in shadow
 /// @exactness        A
 template <real T, class Compare = less_equal>
@@ -103,9 +104,11 @@ template <real T, class Compare = less_equal>
     return is_lit(receiver, stored) ? T(1) : T(0);
 }
 
-/// Visibility as the DirectX SDK's ShadowMap sample tests it.
-/// @param receiver, stored   depths;   epsilon  in depth, added to the stored side
-/// @return        0 when stored + epsilon < receiver, else 1: NaN is lit here
+/// Visibility as the DirectX SDK's ShadowMap sample computes it.
+/// @param receiver, stored   depths
+/// @param epsilon            depth units, added to the stored depth
+/// @return        0 when stored + epsilon < receiver, else 1
+/// @edge          NaN: 1
 /// @exactness     B, n = 1: one sum. S = |stored| + |epsilon|
 /// @cite          Microsoft DirectX SDK, ShadowMap sample
 template <real T>
@@ -114,9 +117,11 @@ template <real T>
     return !is_nan(limit) && !is_nan(receiver) && limit < receiver ? T(0) : T(1);
 }
 
-/// Visibility as the directional-light exercise tests it.
-/// @param current, stored    depths;   epsilon  in depth, added to the stored side
-/// @return        1 when current < stored + epsilon, else 0: NaN is in shadow here
+/// Visibility as the directional-light exercise computes it.
+/// @param current, stored    depths
+/// @param epsilon            depth units, added to the stored depth
+/// @return        1 when current < stored + epsilon, else 0
+/// @edge          NaN: 0
 /// @exactness     B, n = 1: one sum. S = |stored| + |epsilon|
 template <real T>
 [[nodiscard]] constexpr T compare_exercise(T current, T stored, T epsilon) {
@@ -128,11 +133,11 @@ namespace glsl {
 
 inline constexpr snippet beyond_far_plane{
     .name = "beyond_far_plane",
-    .summary = "receivers behind the far plane",
+    .summary = "receivers beyond the far plane",
     .exactness = tier::a,
     .role = hook::beyond_far_plane,
     .source = R"GLSL(
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
@@ -141,11 +146,11 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 
 inline constexpr snippet within_far_plane{
     .name = "within_far_plane",
-    .summary = "receivers up to the far plane, NaN is none",
+    .summary = "receivers up to the far plane; NaN is not",
     .exactness = tier::a,
     .role = hook::within_far_plane,
     .source = R"GLSL(
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane: true if a receiver is a number and not beyond the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }
@@ -154,7 +159,7 @@ bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
 
 inline constexpr snippet compare{
     .name = "compare",
-    .summary = "one comparison",
+    .summary = "visibility from one comparison",
     .exactness = tier::a,
     .role = hook::compare,
     .source = R"GLSL(
@@ -167,7 +172,7 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 
 inline constexpr snippet compare_dx_sdk{
     .name = "compare_dx_sdk",
-    .summary = "stored + epsilon < receiver is shadow",
+    .summary = "shadow if stored + epsilon < receiver",
     .exactness = tier::b,
     .operations = 1,
     .source = R"GLSL(
@@ -182,7 +187,7 @@ UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE
 
 inline constexpr snippet compare_exercise{
     .name = "compare_exercise",
-    .summary = "current < stored + epsilon is lit",
+    .summary = "lit if current < stored + epsilon",
     .exactness = tier::b,
     .operations = 1,
     .source = R"GLSL(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What depends on the compiler or its flags, outside of simd/: how errors are reported, and how bits are read.
+// Code that depends on the compiler or its flags, apart from simd/: error reports, and access to the bits of a float.
 //
 //     umbrage::set_error_handler([](const char* message) { log(message); std::exit(1); });  // with -fno-exceptions
 //
@@ -16,7 +16,7 @@
 #error "umbrage needs GLM's constexpr, which GLM_FORCE_CXX98 and GLM_FORCE_CXX03 switch off: define neither"
 #endif
 
-// A function that is compiled for whatever instruction set its caller is compiled for.
+// Marks a function that is compiled for the instruction set of its caller.
 #if defined(__GNUC__) || defined(__clang__)
 #define UMBRAGE_INLINE __attribute__((always_inline))
 #else
@@ -25,21 +25,21 @@
 
 namespace umbrage {
 
-/// Takes the message of an error, "umbrage::function: argument must be condition; got value". Where exceptions are
-/// switched off, functions call it in place of throwing std::invalid_argument, and end the program if it returns.
+/// Receiver of an error message: "umbrage::function: argument must be condition; got value".
+/// Without exceptions, functions call it instead of throwing std::invalid_argument. If it returns, the program ends.
 using error_handler = void (*)(const char* message);
 
 namespace detail {
 
-/// The default argument of what is a template for one reason: a file compiles what it calls, not all that it includes.
-/// For functions that use containers and for loops for several instruction sets, where nothing else makes them so.
+/// Default argument of functions that are templates for compile time only: a file compiles just those it calls.
+/// It serves functions that use containers, and loops for several instruction sets.
 /// Without it umbrage.hpp would take 0.36 s more to compile, half as much again.
 struct on_use;
 
 inline error_handler handler = nullptr;
 
-/// Reports bad input to a set-up function.
-/// @throws std::invalid_argument   where exceptions are switched on
+/// Reports bad input to a setup function.
+/// @throws std::invalid_argument   if exceptions are switched on
 [[noreturn]] inline void fail(const std::string& message) {
 #if defined(__cpp_exceptions)
     throw std::invalid_argument(message);
@@ -50,7 +50,7 @@ inline error_handler handler = nullptr;
 #endif
 }
 
-/// std::bit_cast, which some libraries of C++20 lack.
+/// std::bit_cast, which some C++20 standard libraries lack.
 template <class To, class From>
 [[nodiscard]] UMBRAGE_INLINE constexpr To bit_cast(const From& from) {
 #if defined(__cpp_lib_bit_cast)
@@ -62,9 +62,9 @@ template <class To, class From>
 
 }  // namespace detail
 
-/// Sets what bad input leads to where exceptions are switched off; where they are on, nothing calls it.
-/// @param handler   nullptr: the message goes to standard error and the program ends
-/// @return          the one before
+/// Sets the handler for errors in builds without exceptions. With exceptions nothing calls it.
+/// @param handler   nullptr: print the message to standard error and end the program
+/// @return          the previous handler
 inline error_handler set_error_handler(error_handler handler) {
     const error_handler before = detail::handler;
     detail::handler = handler;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole numbers over whole numbers, rounded down: exact in floats, however far off the machine's division is.
+// Integer division that rounds down, exact in floats even if the machine's division is inexact.
 //
 //     float mean = umbrage::floor_divide(sum, count);
 //
-// GLSL allows a quotient to be 2.5 ulp off, older dialects anything. Its floor is then one off where the true quotient
-// is whole or nearly so; a product tells, and products of whole numbers are exact.
+// GLSL allows an error of 2.5 ulp in a quotient, and older dialects any error. The floor is then off by one where the
+// true quotient is an integer or close to one. A product reveals the error, because products of integers are exact.
 #pragma once
 
 #include <cmath>
@@ -15,21 +15,24 @@
 
 namespace umbrage {
 
-/// The quotient that a guess is at most one away from.
-/// @param q     whole, floor(a / b) - 1 .. floor(a / b) + 1
-/// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24
+/// Floor of a quotient, from a guess that is off by at most one.
+/// @param q     guess: an integer, floor(a / b) - 1 to floor(a / b) + 1
+/// @param a     dividend: an integer, 0 <= a < 2^24
+/// @param b     divisor: an integer, 1 <= b <= 2^24
 /// @return      floor(a / b)
 /// @formula     q - 1 where q b > a, q + 1 where (q + 1) b <= a, else q
-/// @exactness   A: a product of 2^24 or more is beyond a, however it rounds
+/// @exactness   A: a product of 2^24 or more exceeds a, even after rounding
 template <real T>
 [[nodiscard]] constexpr T correct_quotient(T q, T a, T b) {
     const T more = q + T(1);
     return q * b > a ? q - T(1) : (more * b <= a ? more : q);
 }
 
-/// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24;   their quotient at most 2^18
+/// Floor of a quotient of two integers. The quotient must be at most 2^18.
+/// @param a     dividend: an integer, 0 <= a < 2^24
+/// @param b     divisor: an integer, 1 <= b <= 2^24
 /// @return      floor(a / b)
-/// @exactness   A: with a quotient up to 8 ulp off, less than 1 in so small a one, correct_quotient has all it needs
+/// @exactness   A: a quotient up to 2^18 with an error of 8 ulp is off by less than 1, and correct_quotient mends that
 template <real T>
 [[nodiscard]] T floor_divide(T a, T b) {
     return correct_quotient(std::floor(a / b), a, b);
@@ -39,10 +42,12 @@ namespace glsl {
 
 inline constexpr snippet correct_quotient{
     .name = "correct_quotient",
-    .summary = "a quotient of whole numbers, from one at most one off",
+    .summary = "floor of a quotient, from a guess off by at most one",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     UMBRAGE_HIGHP float more = q + 1.0;
     UMBRAGE_HIGHP float known = more * b <= a ? more : q;
@@ -53,11 +58,13 @@ UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGH
 
 inline constexpr snippet floor_divide{
     .name = "floor_divide",
-    .summary = "whole numbers divided and rounded down, whatever the division's error",
+    .summary = "integer division that rounds down, exact on any GPU",
     .exactness = tier::a,
     .needs = list<&correct_quotient>,
     .source = R"GLSL(
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     return umbrage_correct_quotient(floor(a / b), a, b);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Images: a view over anybody's pixels, an owner, and the two ways to fetch a texel.
+// Images: a view of any pixels, an owner of pixels, and two ways to fetch a texel (clamped and bordered).
 //
 //     umbrage::image<float> map({1024, 1024}, 1.0f);
-//     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
-//     float depth = umbrage::bordered(foreign)(glm::ivec2(-1, 5));  // 1: the far plane
+//     umbrage::image_view<const float> view(pixels, {width, height}, bytes_per_row);
+//     float depth = umbrage::bordered(view)(glm::ivec2(-1, 5));  // 1: the far plane
 //
 #pragma once
 
@@ -26,23 +26,23 @@
 
 namespace umbrage {
 
-/// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
-/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
-/// zero in its size.
+/// View of pixels that other code owns: rows of `size.x` elements, `stride` bytes from one row to the next.
+/// Row 0 is at `data`. With a negative stride the other rows precede it, as in a bottom-up image.
+/// An empty view has a zero in its size.
 template <class T>
 struct image_view {
     T* data = nullptr;
     glm::ivec2 size{0, 0};
-    std::ptrdiff_t stride = 0;  ///< in bytes
+    std::ptrdiff_t stride = 0;  ///< bytes from one row to the next
 
     constexpr image_view() = default;
 
-    /// Rows that follow each other without a gap.
+    /// View of rows without gaps between them.
     constexpr image_view(T* pixels, glm::ivec2 extent)
         : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
 
-    /// @throws std::invalid_argument  negative size; pixels missing; stride shorter than a row
-    ///                                or not a multiple of the alignment of T
+    /// @throws std::invalid_argument  negative size; no pixels; stride shorter than a row, or not a multiple of the
+    ///                                alignment of T
     constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
         : data(pixels), size(extent), stride(stride_bytes) {
         detail::require(extent.x >= 0 && extent.y >= 0, "image_view", "extent", "0 or more", extent);
@@ -56,7 +56,7 @@ struct image_view {
                         "a multiple of a texel's alignment", stride_bytes);
     }
 
-    /// A view that may write is also a view that may read.
+    /// Conversion from a writable view to a read-only one.
     constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
 
     [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
@@ -68,14 +68,14 @@ struct image_view {
         return reinterpret_cast<T*>(reinterpret_cast<byte*>(data) + y * stride);
     }
 
-    /// Texel inside the image.
+    /// Texel at `texel`, which must lie inside the image.
     [[nodiscard]] T& operator[](glm::ivec2 texel) const {
         assert(texel.x >= 0 && texel.x < size.x);
         return row(texel.y)[texel.x];
     }
 
-    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
-    /// @throws std::invalid_argument  not inside the image
+    /// Part of the image as a map of its own, such as a tile of an atlas: `extent` texels from `first` on.
+    /// @throws std::invalid_argument  the region leaves the image
     [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
         detail::require(first.x >= 0 && first.y >= 0, "image_view::region", "first", "0 or more", first);
         const glm::ivec2 rest = size - first;
@@ -86,7 +86,7 @@ struct image_view {
         return {none ? data : row(first.y) + first.x, extent, stride};
     }
 
-    /// Rows first <= y < last as a view of their own: the unit of work for a thread.
+    /// Rows first <= y < last as a view of their own: the work of one thread.
     [[nodiscard]] image_view rows(int first, int last) const {
         assert(0 <= first && first <= last && last <= size.y);
         return {first < last ? row(first) : data, {size.x, last - first}, stride};
@@ -95,7 +95,7 @@ struct image_view {
 
 namespace detail {
 
-/// Aligns memory to cache lines, so that no block of pixels straddles two without need.
+/// Allocator that aligns memory to cache lines, so that blocks of pixels do not straddle two lines needlessly.
 template <class T>
 struct line_allocator {
     using value_type = T;
@@ -111,7 +111,7 @@ struct line_allocator {
 
 }  // namespace detail
 
-/// Pixels of our own, without gaps between rows.
+/// Owner of pixels, without gaps between rows.
 template <class T>
 class image {
 public:
@@ -127,7 +127,7 @@ public:
     [[nodiscard]] bool empty() const { return texels_.empty(); }
     [[nodiscard]] std::span<T> texels() & { return texels_; }
     [[nodiscard]] std::span<const T> texels() const& { return texels_; }
-    void texels() && = delete;  ///< of a temporary: they would dangle
+    void texels() && = delete;  ///< deleted for temporaries: the span would dangle
 
     [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
     [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
@@ -150,7 +150,7 @@ inline constexpr bool is_image = false;
 template <class T>
 inline constexpr bool is_image<image<T>> = true;
 
-/// View of an image. A view stays as it is, so that functions take either.
+/// View of an image. Views pass unchanged, so that functions accept both.
 template <class Map>
 [[nodiscard]] auto view_of(Map& map) {
     if constexpr (is_image<std::remove_const_t<Map>>) return map.view();
@@ -163,20 +163,21 @@ concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
 
 }  // namespace detail
 
-/// Texel inside the map.
+/// Texel at `at`, which must lie inside the map.
 /// @exactness   A
 template <class T>
 [[nodiscard]] std::remove_const_t<T> texel(image_view<T> map, glm::ivec2 at) {
     return map[at];
 }
 
-/// @param size    of a map, in texels
+/// True if a texel lies inside the map.
+/// @param size    size of the map, in texels
 /// @exactness     A
 [[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
     return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
 }
 
-/// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
+/// Texel of the map, or the nearest one inside for coordinates outside. The map must not be empty.
 /// @exactness   A
 template <class T>
 [[nodiscard]] std::remove_const_t<T> fetch_clamped(image_view<T> map, glm::ivec2 texel) {
@@ -186,7 +187,7 @@ template <class T>
     return map.row(y)[x];
 }
 
-/// Texel of the map, or `border` outside of it. An empty map is all border.
+/// Texel of the map, or `border` outside it. An empty map is all border.
 /// @exactness   A
 template <class T>
 [[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
@@ -194,7 +195,7 @@ template <class T>
     return inside_map(map.size, texel) ? map.row(texel.y)[texel.x] : border;
 }
 
-/// fetch_clamped as the callable that filters take.
+/// Fetch callable for filters. Clamps coordinates as fetch_clamped does.
 /// @throws std::invalid_argument  empty map
 template <class Map, class = detail::texel_of<Map>>
 [[nodiscard]] auto clamped(const Map& map) {
@@ -203,25 +204,26 @@ template <class Map, class = detail::texel_of<Map>>
     return [view](glm::ivec2 texel) { return fetch_clamped(view, texel); };
 }
 
-/// fetch_bordered as the callable that filters take.
+/// Fetch callable for filters. Returns the border outside the map, as fetch_bordered does.
 template <class T>
 struct bordered_map {
     image_view<const T> map{};
     T border{};
     [[nodiscard]] T operator()(glm::ivec2 texel) const { return fetch_bordered(map, texel, border); }
 };
-/// A map without its border's value: decoded() and look-ups into prefiltered maps know what the far plane is there.
+/// Map without a border value: decoded() and lookups into prefiltered maps fill in the far plane's value.
 template <class T>
 struct bordered_texels {
     image_view<const T> map{};
 };
 
-/// @param border   what texels outside the map count as; the far plane's, as cleared_depth(clip), lights all outside
+/// Fetch of a map with a border value.
+/// @param border   value of texels outside the map; the far plane's, cleared_depth(clip), lights the outside
 template <class Map, class Texel = detail::texel_of<Map>>
 [[nodiscard]] bordered_map<Texel> bordered(const Map& map, std::type_identity_t<Texel> border) {
     return {detail::view_of(map), border};
 }
-/// Fetch of a map of forward depth: outside it is 1, the far plane. Maps of other texels give bordered_texels.
+/// Fetch of a map of forward depth. Texels outside are 1, the far plane. Maps of other texels give bordered_texels.
 template <class Map, class Texel = detail::texel_of<Map>>
 [[nodiscard]] auto bordered(const Map& map) {
     if constexpr (std::is_floating_point_v<Texel>) return bordered(map, Texel(1));
@@ -237,8 +239,9 @@ inline constexpr snippet texel{
     .role = hook::texel,
     .source = R"GLSL(
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     return UMBRAGE_TEXEL;
@@ -248,10 +251,10 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
 
 inline constexpr snippet inside_map{
     .name = "inside_map",
-    .summary = "whether a texel is one of the map's",
+    .summary = "true if a texel lies inside the map",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_inside_map: whether a texel is one of a map's of size texels
+// umbrage_inside_map: true if a texel lies inside a map of size texels
 bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
 }
@@ -260,11 +263,11 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 
 inline constexpr snippet fetch_clamped{
     .name = "fetch_clamped",
-    .summary = "texel of a map, outside the nearest one inside",
+    .summary = "texel of a map, clamped to the nearest one inside",
     .exactness = tier::a,
     .needs = list<&texel>,
     .source = R"GLSL(
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
 }
@@ -273,11 +276,11 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 inline constexpr snippet fetch_bordered{
     .name = "fetch_bordered",
-    .summary = "texel of a map, outside a border value",
+    .summary = "texel of a map, or a border value outside it",
     .exactness = tier::a,
     .needs = list<&texel>,
     .source = R"GLSL(
-// umbrage_fetch_bordered: texel of a map, or border outside of it
+// umbrage_fetch_bordered: texel of a map, or border outside it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
     UMBRAGE_HIGHP vec2 at = clamp(texel, vec2(0.0, 0.0), size - 1.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// std::min, std::max and std::clamp by value, and of vectors element by element. No platform's header defines these
-// names as macros.
+// std::min, std::max and std::clamp by value, for scalars and for vectors element by element.
+// No platform header defines these names as macros.
 //
 //     detail::lesser(glm::vec2(1, 4), glm::vec2(2, 3));  // (1, 3)
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A list of types whose values know their names: what tools, tables and tests walk.
+// List of types whose values know their names, for tools, tables and tests to iterate over.
 //
 //     using encodings = umbrage::list_of<depth32f, rg<9>>;
 //     encodings::for_each([](auto encoding) { std::puts(encoding.name.data()); });
@@ -12,19 +12,19 @@
 
 namespace umbrage {
 
-/// std::tuple's cheap sister: it is never made, so that a file that does not walk it pays nothing.
+/// Cheap alternative to std::tuple: it is never constructed, so files that do not iterate over it pay nothing.
 template <class... Values>
 struct list_of {
     static constexpr std::size_t size = sizeof...(Values);
 
-    /// Calls use(value) with a value of each, or with each of its `values`, one after the other.
+    /// Calls use(value) in order, with a value of each type or with each of its `values`.
     template <class Use>
     static constexpr void for_each(Use&& use) {
         (each<Values>(use), ...);
     }
 
-    /// Calls use(value) with the one of that name.
-    /// @return   false where none is called so
+    /// Calls use(value) with the value of that name.
+    /// @return   false if no value has that name
     template <class Use>
     static constexpr bool with(std::string_view name, Use&& use) {
         bool found = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The scalar ground rules: which types are depths, what NaN means, what clamping does.
+// Rules for scalars: the types of depth, the meaning of NaN, and the clamp to [0, 1].
 //
-//     float d = umbrage::saturate(z);  // everything from 1 up, and NaN: 1;  everything from 0 down: 0
+//     float d = umbrage::saturate(z);  // 1 for 1 and above and for NaN, 0 for 0 and below
 //
 #pragma once
 
@@ -18,17 +18,18 @@
 
 namespace umbrage {
 
-/// Scalars that primitives work on.
+/// Scalar types of the primitives.
 template <class T>
 concept real = std::same_as<T, float> || std::same_as<T, double>;
 
-/// Tests the bits, so that -ffast-math cannot remove it. The sign is shifted out: clang 22 removes a masked comparison.
+/// True for NaN. Tests the bits, since -ffast-math removes comparisons with NaN. The shift drops the sign: clang 22
+/// removes a masked comparison.
 [[nodiscard]] constexpr bool is_nan(float v) { return (detail::bit_cast<std::uint32_t>(v) << 1) > 0xFF000000u; }
 [[nodiscard]] constexpr bool is_nan(double v) {
     return (detail::bit_cast<std::uint64_t>(v) << 1) > 0xFFE0000000000000ull;
 }
 
-/// True for everything but NaN and the infinities.
+/// True for all values except NaN and the infinities.
 [[nodiscard]] constexpr bool is_finite(float v) { return (detail::bit_cast<std::uint32_t>(v) << 1) < 0xFF000000u; }
 [[nodiscard]] constexpr bool is_finite(double v) {
     return (detail::bit_cast<std::uint64_t>(v) << 1) < 0xFFE0000000000000ull;
@@ -36,12 +37,12 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
 
 namespace detail {
 
-/// Above all other numbers: where a search for the least starts. It stands for infinity, which -ffinite-math-only turns
-/// into nonsense. In parentheses, as max may be a macro.
+/// Largest number, where a search for a minimum starts. It replaces infinity, which -ffinite-math-only makes undefined.
+/// The parentheses protect it from a macro max.
 template <class T>
 inline constexpr T highest = (std::numeric_limits<T>::max)();
 
-/// Of a vector or a matrix: true when no element is NaN or infinite.
+/// True if no element of a vector or a matrix is NaN or infinite.
 template <class Elements>
 [[nodiscard]] constexpr bool all_finite(const Elements& v) {
     for (decltype(v.length()) i = 0; i < v.length(); ++i) {
@@ -56,11 +57,12 @@ template <class Elements>
 
 }  // namespace detail
 
-/// Clamps to [0, 1]. NaN of either sign becomes far, the cleared depth; -0 becomes +0.
-/// @param cleared   1, or 0 where depth is reversed
+/// Clamps to [0, 1].
+/// @param cleared   depth of the far plane: 1, or 0 for reversed depth
+/// @edge        NaN of either sign: cleared. -0: +0
 /// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : cleared))
-/// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
-///              flushing mode takes a denormal
+/// @exactness   A: it selects by the bits and computes nothing. So -ffast-math leaves no -0, and a mode that flushes
+///              denormals changes none
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T saturate(T v, T cleared = T(1)) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
@@ -72,13 +74,13 @@ namespace glsl {
 
 inline constexpr snippet saturate{
     .name = "saturate",
-    .summary = "clamp to [0, 1], NaN to far",
+    .summary = "clamp to [0, 1]; NaN becomes the far plane",
     .exactness = tier::a,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 )GLSL",

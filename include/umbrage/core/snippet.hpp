@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// GLSL twins: what a snippet is. Texts are made of them in glsl.hpp.
+// Snippets: the GLSL versions of the C++ functions, one function each. glsl.hpp assembles shader texts from them.
 //
 #pragma once
 
@@ -13,17 +13,19 @@
 
 namespace umbrage::glsl {
 
-/// How exactly a snippet and its C++ twin agree.
-///   a  bit for bit on every implementation with 32-bit floats: no grouping of a sum rounds, or what it rounds is less
-///      than the margin of the floor or comparison that follows
-///   b  bit for bit where + - * round to nearest in written order; in any order, fused or not, within the bound
-///   c  within the bound on every implementation, or within snippet::within of C++
-/// The bound is n 2^-23 S from the result in real arithmetic. n is snippet::operations. S is the formula with every
-/// value's magnitude and every minus a plus; a quotient a / b has S(a) S(b) / b^2, a root of a has S(a) / sqrt(a), and
-/// min and max have the greater S. A C++ function's comment spells S out where its formula does not show it. Where
-/// denormals are flushed, a product counts at least 2^-103 times its factors above 1. Where a comparison or floor
-/// decides, the bound is on what it decides about, and inside it either side is promised. There is no bound where S is
-/// above the greatest float.
+/// Agreement between a snippet and its C++ version, called its twin.
+///   a  Bit for bit on every implementation with 32-bit floats. In any grouping either no sum rounds, or its error is
+///      smaller than the margin of the floor or comparison that follows
+///   b  Bit for bit where + - * round to nearest in the order written. In other orders, fused or not, within the bound
+///   c  Within the bound on every implementation, or within snippet::within of C++
+///
+/// The bound is n 2^-23 S, measured from the result in real arithmetic. n is snippet::operations.
+/// S is the formula with the magnitude of every value and a plus for every minus. A quotient a / b has
+/// S(a) S(b) / b^2, a root of a has S(a) / sqrt(a), and min and max have the larger S.
+/// The C++ function's comment gives S where its formula does not show it.
+/// If denormals are flushed, a product counts at least 2^-103 times its factors above 1.
+/// If a comparison or floor decides, the bound applies to the value compared. Within it either side is allowed.
+/// No bound holds where S exceeds the largest float.
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -33,7 +35,7 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
                                      version::v300_es, version::v310_es, version::v320_es, version::v330, version::v430,
                                      version::v450,    version::v460,    version::vulkan};
 
-/// What follows `#version`, e.g. "300 es".
+/// Text of the `#version` directive, e.g. "300 es".
 [[nodiscard]] constexpr std::string_view directive(version v) {
     switch (v) {
         case version::v100: return "100";
@@ -53,8 +55,8 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
     return "";
 }
 
-/// Part that a map decides for itself. Such a snippet's own text is that of a plain map, a 2D texture of depths;
-/// bind() puts another in its place for other maps.
+/// Part of a shader that depends on the map. The text of such a snippet is for a plain map, a 2D texture of depths.
+/// For other maps bind() replaces it.
 enum class hook {
     none,
     map_covers,
@@ -75,13 +77,13 @@ enum class hook {
 
 struct snippet;
 
-/// A snippet's GLSL: as it is written down, or what a function puts together each time it is asked for, which spares
-/// whoever includes the header the work.
+/// GLSL text of a snippet: a literal, or the function that makes it. The function runs only when the text is needed,
+/// which saves compile time in every file that includes the header.
 class snippet_text {
 public:
     constexpr snippet_text(const char* written) : written_(written) {}
     constexpr snippet_text(std::string (*make)()) : make_(make) {}
-    /// Of several snippets, one for each number.
+    /// Text of one of several snippets, chosen by a number.
     constexpr snippet_text(std::string (*make)(int), int number) : make_of_(make), number_(number) {}
 
     [[nodiscard]] std::string str() const { return make_of_ ? make_of_(number_) : (make_ ? make_() : written_); }
@@ -93,21 +95,21 @@ private:
     int number_ = 0;
 };
 
-/// One GLSL function (with its overloads) and what is known of it.
+/// One GLSL function (with its overloads), and its properties.
 struct snippet {
-    std::string_view name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
+    std::string_view name;       ///< name of the C++ version; the GLSL function is umbrage_<name>
     std::string_view summary{};  ///< one line
     tier exactness = tier::a;
     int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
-    float within = 0.0f;      ///< tier c without n: greatest difference from C++; above 1 a share of it
-    bool as_written = false;  ///< `within` holds where + - * round to nearest in written order, no bound elsewhere
+    float within = 0.0f;      ///< tier c without n: largest difference from C++; relative for results above 1
+    bool as_written = false;  ///< `within` holds where + - * round to nearest in the order written; no bound elsewhere
     version lowest = version::v100;           ///< v100: every dialect; v300_es: 300 es and 330 upwards
-    std::span<const snippet* const> needs{};  ///< a list<>
+    std::span<const snippet* const> needs{};  ///< snippets that this one calls, a list<>
     hook role = hook::none;
-    bool scaled = false;  ///< makes depths on a scale of their own, on which 1.0 is not the far plane
+    bool scaled = false;  ///< gives depths on another scale, on which 1.0 is not the far plane
     snippet_text source;
 
-    /// No two have one name.
+    /// Compares names: no two snippets share one.
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
 
@@ -121,14 +123,14 @@ struct snippet {
     return text;
 }
 
-/// The bound of tiers B and C in words.
+/// The bound of tiers B and C in words, for the head of a shader text.
 [[nodiscard]] inline std::string bound_in_words(const snippet& s) {
     if (s.within == 0.0f) return "within " + std::to_string(s.operations) + " x 2^-23 x S of the exact result.";
     return "within 1/" + std::to_string(static_cast<int>(1.0f / s.within)) + " of C++" +
            (s.as_written ? " as written. Reordered: no bound, but a visibility is in [0, 1]." : ".");
 }
 
-/// Those that one needs.
+/// List of the snippets that a snippet needs.
 template <const snippet*... Snippets>
 inline constexpr const snippet* list[sizeof...(Snippets)]{Snippets...};
 
@@ -142,7 +144,7 @@ namespace detail {
 struct constant {
     char key;  ///< `$key` in the text
     int value;
-    std::string_view text{};  ///< in place of the value's digits, though it be ""
+    std::string_view text{};  ///< text to insert instead of the value, even if it is ""
 };
 
 /// Appends `text` with each `$key` replaced by the decimal digits of its value, or its text.
@@ -167,14 +169,14 @@ constexpr void append(Text& out, std::string_view text, std::initializer_list<co
     }
 }
 
-/// Of a family's member: its text.
+/// Text of one member of a family of snippets.
 [[nodiscard]] inline std::string filled(std::string_view text, std::initializer_list<constant> constants) {
     std::string out;
     append(out, text, constants);
     return out;
 }
 
-/// Its name, at compile time.
+/// Name of one member of a family of snippets, at compile time.
 struct short_name {
     char data[24]{};
     std::size_t size = 0;

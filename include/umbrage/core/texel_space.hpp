@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What every filter over a map shares: the range of its coordinates, and the comparison with a texel.
+// Parts that all filters share: the valid range of coordinates, and the comparison with one texel.
 //
-//     if (!umbrage::inside_texel_space(coord)) return 1;  // NaN, infinite or absurd: lit
+//     if (!umbrage::inside_texel_space(coord)) return 1;  // NaN, infinite or far too large: lit
 //
 #pragma once
 
@@ -18,8 +18,8 @@
 
 namespace umbrage {
 
-/// True when |coord| < 2^15 in both directions, so that texel numbers and 1/256 of them stay exact.
-/// Filters take everything else, NaN included, as lit.
+/// True if |coord| < 2^15 in x and y, so that texel indices and 1/256 texel stay exact.
+/// Filters return lit for all other coordinates, NaN included.
 /// @exactness     A
 template <real T>
 [[nodiscard]] constexpr bool inside_texel_space(glm::vec<2, T> coord) {
@@ -27,8 +27,8 @@ template <real T>
     return inside(coord.x) && inside(coord.y);
 }
 
-/// Whether a filter compares a receiver at all. Two kinds are lit without: coordinates outside texel space, and depths
-/// beyond the far plane.
+/// True if a filter compares the receiver. It returns lit without a comparison for coordinates outside texel space and
+/// for depths beyond the far plane.
 /// @param is_lit   the comparison; one without beyond_far_plane has no far plane
 /// @exactness      A
 template <real T, class Compare = less_equal>
@@ -36,7 +36,7 @@ template <real T, class Compare = less_equal>
     return inside_texel_space(coord) && !beyond_far_plane(receiver, is_lit);
 }
 
-/// Stored depth of a texel: the fetch callable of every filter, by name.
+/// Stored depth of a texel, by the fetch callable that filters take.
 /// @param fetch   ivec2 texel -> depth, e.g. bordered(map), or decoded(map, rg<11>{}) for packed maps
 template <class Fetch>
 [[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
@@ -45,16 +45,16 @@ template <class Fetch>
 
 /// Stored depth of the texel at a point of the map.
 /// @param fetch   ivec2 texel -> stored depth
-/// @param size    of the map, in texels
-/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness     C, n = 4, S = uv size: the fetched depth, but at borders between texels: a sampler takes the nearest
-///                to what it rounds its coordinates to, 2^-10 texel off in a map of 8192
+/// @param size    size of the map, in texels
+/// @param uv      point on the map, (0, 0) to (1, 1), no NaN
+/// @exactness     C, n = 4, S = uv size: the fetched depth. At borders between texels a sampler may take the neighbor:
+///                it rounds its coordinates, by 2^-10 texel (1e-3) in a map of 8192 texels
 template <real T, class Fetch>
 [[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
     return T(fetch(glm::ivec2(glm::floor(uv * size))));
 }
 
-/// Visibility of one comparison with a texel.
+/// Visibility from one comparison with a texel.
 /// @param fetch   ivec2 texel -> stored depth
 /// @return        1 when lit, 0 in shadow
 /// @exactness     A
@@ -63,7 +63,7 @@ template <real T, class Fetch, class Compare = less_equal>
     return compare(receiver, T(fetch(texel)), is_lit);
 }
 
-/// Visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1): what one gather gives.
+/// Visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), the four texels of one gather.
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] constexpr glm::vec<4, T> lit_2x2(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
     const T a = lit(fetch, texel, receiver, is_lit), b = lit(fetch, texel + glm::ivec2(1, 0), receiver, is_lit);
@@ -71,9 +71,9 @@ template <real T, class Fetch, class Compare = less_equal>
     return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
 }
 
-/// True when a receiver of a prefiltered map or a table lies in the map. Receivers elsewhere are lit.
-/// @param size      of the map, in texels
-/// @param outside   clamped: whatever the receiver, which then sees the map's edge
+/// True if a receiver lies in a prefiltered map or a table. Receivers elsewhere are lit.
+/// @param size      size of the map, in texels
+/// @param outside   clamped: always true, and receivers outside use the map's edge
 /// @exactness       A
 template <real T>
 [[nodiscard]] constexpr bool map_covers(glm::vec<2, T> size, glm::vec<2, T> coord,
@@ -84,7 +84,7 @@ template <real T>
 
 namespace detail {
 
-/// The far plane's depth, as an encoding knows it.
+/// Depth of the far plane under an encoding.
 template <class Encoding>
 [[nodiscard]] float far_depth(const Encoding& encoding) {
     if constexpr (requires { encoding.direction; }) return cleared_depth(encoding.direction);
@@ -93,8 +93,8 @@ template <class Encoding>
 
 }  // namespace detail
 
-/// A packed map with its encoding: a fetch that counts texels outside the map as the far plane. clamped() of it counts
-/// the nearest texel inside.
+/// A packed map with its encoding: a fetch that counts texels outside the map as the far plane.
+/// clamped() of it takes the nearest texel inside instead.
 template <class Texel, class Encoding>
 struct decoded_map {
     image_view<const Texel> map{};
@@ -106,9 +106,9 @@ struct decoded_map {
     }
 };
 
-/// A packed map as the fetch callable that filters take.
-/// @param fetch      ivec2 -> texel, as clamped(map); a map stands for bordered(map)
-/// @param encoding   one of encodings.hpp
+/// Fetch callable that decodes a packed map.
+/// @param fetch      ivec2 -> texel, e.g. clamped(map); a map means bordered(map)
+/// @param encoding   an encoding of encodings.hpp
 template <std::invocable<glm::ivec2> Fetch, class Encoding>
 [[nodiscard]] auto decoded(Fetch fetch, Encoding encoding) {
     return [fetch, encoding](glm::ivec2 texel) { return encoding.decode(fetch(texel)); };
@@ -126,12 +126,12 @@ template <class Texel, class Encoding>
     return {map.map, encoding};
 }
 
-/// As decoded(bordered(map), encoding).
+/// Same as decoded(bordered(map), encoding).
 template <class Texel, class Encoding>
 [[nodiscard]] decoded_map<Texel, Encoding> bordered(decoded_map<Texel, Encoding> map) {
     return map;
 }
-/// As decoded(clamped(map), encoding).
+/// Same as decoded(clamped(map), encoding).
 /// @throws std::invalid_argument  empty map
 template <class Texel, class Encoding>
 [[nodiscard]] auto clamped(const decoded_map<Texel, Encoding>& map) {
@@ -142,12 +142,12 @@ namespace glsl {
 
 inline constexpr snippet inside_texel_space{
     .name = "inside_texel_space",
-    .summary = "coordinates a filter can take",
+    .summary = "true for coordinates that a filter can take",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 )GLSL",
@@ -155,19 +155,19 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 
 inline constexpr snippet in_filter_domain{
     .name = "in_filter_domain",
-    .summary = "receivers that a filter compares; it takes the others as lit",
+    .summary = "true for receivers that a filter compares; others are lit",
     .exactness = tier::a,
     .needs = list<&inside_texel_space, &beyond_far_plane>,
     .source = R"GLSL(
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 )GLSL",
 };
 
-/// That of a bordered map; bind() makes of it what a map's binding says.
+/// Text for a bordered map. For other maps bind() replaces it.
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth",
     .summary = "stored depth of a texel",
@@ -175,7 +175,7 @@ inline constexpr snippet fetch_depth{
     .needs = list<&texel>,
     .role = hook::fetch_depth,
     .source = R"GLSL(
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
     UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
@@ -187,11 +187,11 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 
 inline constexpr snippet map_covers{
     .name = "map_covers",
-    .summary = "whether a receiver of a prefiltered map lies in it",
+    .summary = "true if a receiver lies in a prefiltered map",
     .exactness = tier::a,
     .role = hook::map_covers,
     .source = R"GLSL(
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// umbrage_map_covers: true if a receiver lies in a prefiltered map or a table; elsewhere it is lit
 bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
@@ -200,12 +200,12 @@ bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
 
 inline constexpr snippet lit{
     .name = "lit",
-    .summary = "one comparison with a texel",
+    .summary = "visibility from one comparison with a texel",
     .exactness = tier::a,
     .needs = list<&compare, &fetch_depth>,
     .role = hook::lit,
     .source = R"GLSL(
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
@@ -215,12 +215,12 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet lit_2x2{
     .name = "lit_2x2",
-    .summary = "comparisons with the 2x2 texels from one on",
+    .summary = "visibility from comparisons with 2x2 texels",
     .exactness = tier::a,
     .needs = list<&lit>,
     .role = hook::lit_2x2,
     .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// umbrage_lit_2x2: visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
@@ -232,7 +232,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 )GLSL",
 };
 
-/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
+/// Text that calls fetch_depth. For a map that fills its texture and has a sampler, bind() samples the texture instead.
 inline constexpr snippet depth_at{
     .name = "depth_at",
     .summary = "stored depth at a point of the map",
@@ -241,8 +241,8 @@ inline constexpr snippet depth_at{
     .needs = list<&fetch_depth>,
     .role = hook::depth_at,
     .source = R"GLSL(
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the neighbor's
+//   uv  point on the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Between integer channels and what a UNORM render target of 8, 10 or 16 bits a channel takes and gives.
+// Conversion between integer channels and the values of UNORM render targets with 8, 10 or 16 bits per channel.
 //
-//     vec4 color = umbrage_to_unorm(channels);     // writing: the same byte whether the store rounds or truncates
-//     vec4 channels = umbrage_from_unorm(texel);   // reading: whole numbers, however the driver divides by 255
+//     vec4 color = umbrage_to_unorm(channels);     // write: the same byte whether the store rounds or truncates
+//     vec4 channels = umbrage_from_unorm(texel);   // read: integers, even if the driver divides by 255 inexactly
 //
 // umbrage_to_unorm10 and umbrage_to_unorm16, and their inverses, do the same for 10 and 16 bits.
 #pragma once
@@ -23,22 +23,22 @@
 
 namespace umbrage {
 
-/// Bits of a UNORM channel.
+/// Bits per UNORM channel.
 template <int Bits>
 concept unorm_bits = Bits == 8 || Bits == 10 || Bits == 16;
 
-/// An integer channel in memory.
+/// Type of an integer channel in memory.
 template <int Bits>
 requires unorm_bits<Bits>
 using unorm_channel = std::conditional_t<Bits == 8, std::uint8_t, std::uint16_t>;
 
-/// The value to write so that a UNORM target stores channel k, rounding or truncating.
+/// Value to write so that a UNORM target stores channel k, whether it rounds or truncates.
 ///
-/// @tparam Bits   of a channel: 8, 10 or 16
-/// @param k       whole number, 0 to n = 2^Bits - 1
+/// @tparam Bits   bits per channel: 8, 10 or 16
+/// @param k       channel, an integer from 0 to n = 2^Bits - 1
 /// @return        about (k + 1/4) / n, with 10 bits down to (k + 1/150) / n; above 1 the store clamps
 /// @formula       8 bits: (257 k + 64) / 2^16
-///                10 bits: (4099 k + 1056) / 2^22, for llvmpipe's sake: it stores 16 bits and cuts six of them off
+///                10 bits: (4099 k + 1056) / 2^22, because llvmpipe stores 16 bits and cuts off six of them
 ///                16 bits: min(k + floor(k / 256) / 256 + 1/4, 65536) / 65536
 /// @exactness     A: at most 24 significant bits, or beyond the min
 template <int Bits = 8, real T>
@@ -61,11 +61,12 @@ requires unorm_bits<Bits>
     return k;
 }
 
-/// The channel behind a value read from a UNORM texture.
+/// Channel k of a value read from a UNORM texture.
 ///
-/// @tparam Bits   of a channel: 8, 10 or 16
-/// @param c       k / n, n = 2^Bits - 1, up to thousands of ulp off, 60 with 16 bits; others are not clamped
-/// @return        k, a whole number 0 to n
+/// @tparam Bits   bits per channel: 8, 10 or 16
+/// @param c       k / n with n = 2^Bits - 1. Its error may be thousands of ulp, or 60 ulp with 16 bits
+/// @return        k, an integer from 0 to n
+/// @edge          other values of c are not clamped
 /// @formula       floor(n c + 1/2)
 /// @exactness     A for values farther than 2^(Bits - 23) from the midpoint of two channels
 template <int Bits = 8, real T>
@@ -78,10 +79,12 @@ requires unorm_bits<Bits>
     return c;
 }
 
-/// Rounding of a UNORM render target's store. It has no snippet: in a shader the target itself stores.
+/// Rounding mode of a UNORM render target. It has no snippet, because in a shader the target itself stores.
 enum class unorm_store { rounds, truncates };
 
-/// @param c     any value; clamped to [0, 1], NaN stores 0 as graphics interfaces ask
+/// Channel that a UNORM target stores.
+/// @param c     any value, clamped to [0, 1]
+/// @edge        NaN: 0, as graphics APIs require
 template <int Bits = 8, real T>
 requires unorm_bits<Bits>
 [[nodiscard]] constexpr unorm_channel<Bits> store_unorm(T c, unorm_store mode = unorm_store::rounds) {
@@ -98,7 +101,7 @@ requires unorm_bits<Bits>
     return channels;
 }
 
-/// Values that sampling gives for stored channels: k / n.
+/// Values that sampling returns for stored channels: k / n.
 template <int Bits = 8, real T = float, glm::length_t L>
 requires unorm_bits<Bits>
 [[nodiscard]] constexpr glm::vec<L, T> load_unorm(glm::vec<L, unorm_channel<Bits>> channels) {
@@ -110,7 +113,7 @@ requires unorm_bits<Bits>
 namespace glsl {
 namespace detail {
 
-/// A comment and a function's text four times: with float, vec2, vec3 and vec4 in place of $t.
+/// A comment, then a function's text four times, with float, vec2, vec3 and vec4 for $t.
 [[nodiscard]] inline std::string overloads(std::string_view comment, std::string_view function) {
     std::string text(comment);
     for (const std::string_view type : {"float", "vec2", "vec3", "vec4"}) append(text, function, {{'t', 0, type}});
@@ -121,13 +124,13 @@ namespace detail {
 
 inline constexpr snippet to_unorm{
     .name = "to_unorm",
-    .summary = "channel 0..255 to the value an 8-bit target stores as it",
+    .summary = "value that makes an 8-bit target store channel 0..255",
     .exactness = tier::a,
     .source =
         +[] {
             return detail::overloads(R"GLSL(
-// umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
-// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
+// umbrage_to_unorm: value that makes an 8-bit target store channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536, in decimals because 65536.0 is infinite in mediump
 )GLSL",
                                      R"GLSL(UMBRAGE_HIGHP $t umbrage_to_unorm(UMBRAGE_HIGHP $t k) {
     return k * 0.0039215087890625 + 0.0009765625;
@@ -138,12 +141,12 @@ inline constexpr snippet to_unorm{
 
 inline constexpr snippet from_unorm{
     .name = "from_unorm",
-    .summary = "value read from an 8-bit texture to channel 0..255",
+    .summary = "channel 0..255 of a value from an 8-bit texture",
     .exactness = tier::a,
     .source =
         +[] {
             return detail::overloads(R"GLSL(
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 )GLSL",
                                      R"GLSL(UMBRAGE_HIGHP $t umbrage_from_unorm(UMBRAGE_HIGHP $t c) {
     return floor(c * 255.0 + 0.5);
@@ -154,12 +157,12 @@ inline constexpr snippet from_unorm{
 
 inline constexpr snippet to_unorm10{
     .name = "to_unorm10",
-    .summary = "channel 0..1023 to the value a 10-bit target stores as it",
+    .summary = "value that makes a 10-bit target store channel 0..1023",
     .exactness = tier::a,
     .source =
         +[] {
             return detail::overloads(R"GLSL(
-// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// umbrage_to_unorm10: value that makes a 10-bit target store channel k, whether it rounds or truncates
 // k * 4099 / 4194304 + 1056 / 4194304
 )GLSL",
                                      R"GLSL(UMBRAGE_HIGHP $t umbrage_to_unorm10(UMBRAGE_HIGHP $t k) {
@@ -171,12 +174,12 @@ inline constexpr snippet to_unorm10{
 
 inline constexpr snippet from_unorm10{
     .name = "from_unorm10",
-    .summary = "value read from a 10-bit texture to channel 0..1023",
+    .summary = "channel 0..1023 of a value from a 10-bit texture",
     .exactness = tier::a,
     .source =
         +[] {
             return detail::overloads(R"GLSL(
-// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+// umbrage_from_unorm10: channel 0..1023 of a value from a 10-bit texture, even if the division by 1023 is inexact
 )GLSL",
                                      R"GLSL(UMBRAGE_HIGHP $t umbrage_from_unorm10(UMBRAGE_HIGHP $t c) {
     return floor(c * 1023.0 + 0.5);
@@ -187,12 +190,12 @@ inline constexpr snippet from_unorm10{
 
 inline constexpr snippet to_unorm16{
     .name = "to_unorm16",
-    .summary = "channel 0..65535 to the value a 16-bit target stores as it",
+    .summary = "value that makes a 16-bit target store channel 0..65535",
     .exactness = tier::a,
     .source =
         +[] {
             return detail::overloads(R"GLSL(
-// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+// umbrage_to_unorm16: value that makes a 16-bit target store channel k, whether it rounds or truncates
 )GLSL",
                                      R"GLSL(UMBRAGE_HIGHP $t umbrage_to_unorm16(UMBRAGE_HIGHP $t k) {
     return min(k + (floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
@@ -203,12 +206,12 @@ inline constexpr snippet to_unorm16{
 
 inline constexpr snippet from_unorm16{
     .name = "from_unorm16",
-    .summary = "value read from a 16-bit texture to channel 0..65535",
+    .summary = "channel 0..65535 of a value from a 16-bit texture",
     .exactness = tier::a,
     .source =
         +[] {
             return detail::overloads(R"GLSL(
-// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+// umbrage_from_unorm16: channel 0..65535 of a value from a 16-bit texture, even if the division by 65535 is inexact
 )GLSL",
                                      R"GLSL(UMBRAGE_HIGHP $t umbrage_from_unorm16(UMBRAGE_HIGHP $t c) {
     return floor(c * 65535.0 + 0.5);
