@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// From one cascade to the next without a line: both looked up and mixed, or one of them, chosen from pixel to pixel.
+// Transition between cascades without a visible seam: two lookups blended, or one cascade chosen per pixel (dithering).
 //
 //     float weight = umbrage::cascade_fade(view_depth, scale.w, offset.w);        // of the next cascade
 //     visibility = umbrage::blend_cascades(visibility, visibility_of_next, weight);
-//     number = umbrage::dithered_cascade(number, weight, umbrage::dither_threshold(pixel));  // or this, looked up once
+//     number = umbrage::dithered_cascade(number, weight, umbrage::dither_threshold(pixel));  // or this, one lookup
 //
-// Weights are multiples of 1/256, so that mixing visibilities of pcf_2x2, multiples of 2^-16, rounds nothing.
+// Weights are multiples of 1/256, and visibilities of pcf_2x2 are multiples of 2^-16. So their blend does not round.
+// Also called: cascade blending, cross-fade, ordered dithering.
 #pragma once
 
 #include <glm/common.hpp>
@@ -19,8 +20,9 @@
 
 namespace umbrage {
 
-/// A weight in steps of 1/256.
-/// @param v       any; from 1 up 1, from 0 down and NaN 0
+/// Weight rounded down to steps of 1/256.
+/// @param v       any number
+/// @edge          1 or above: 1. 0 or below, or NaN: 0
 /// @exactness     A
 template <real T>
 [[nodiscard]] constexpr T cascade_weight(T v) {
@@ -28,10 +30,11 @@ template <real T>
     return v < T(1) ? T(static_cast<int>(v * T(256))) * T(1.0 / 256.0) : T(1);
 }
 
-/// Weight of the next cascade, growing towards the end of one.
-/// @param depth           along the camera's axis
-/// @param scale, offset   of the weight, the w of a cascade's own
-/// @return                0 .. 1 in steps of 1/256; NaN gives 0
+/// Weight of the next cascade, which grows towards the end of a cascade.
+/// @param depth           distance along the camera's axis, world units
+/// @param scale, offset   scale and offset of the weight: the w of the cascade's scale and offset
+/// @return                0 to 1 in steps of 1/256
+/// @edge                  NaN: 0
 /// @formula               depth scale + offset
 /// @exactness             B, n = 3: a product and a sum
 template <real T>
@@ -39,12 +42,14 @@ template <real T>
     return cascade_weight(depth * scale + offset);
 }
 
-/// Weight of the next cascade, growing towards the border of one's map: for selection by projection.
-/// @param coordinate   in texels;   size  of the map, in texels
-/// @param reach        of the filter, in texels: where the weight is 1
-/// @param per_texel    weight a texel: 1 / width of the band along the border
-/// @return             0 .. 1 in steps of 1/256; NaN gives 0
-/// @formula            1 - (distance from the border - reach) per_texel, where the border is nearest
+/// Weight of the next cascade, which grows towards the border of a cascade's map. For selection by projection.
+/// @param coordinate   position in the map, in texels
+/// @param size         size of the map, in texels
+/// @param reach        filter radius in texels: the distance from the border where the weight is 1
+/// @param per_texel    weight per texel: 1 / width of the band along the border
+/// @return             0 to 1 in steps of 1/256
+/// @edge               NaN: 0
+/// @formula            1 - (distance from the border - reach) per_texel, for the nearest border
 /// @exactness          B, n = 8: S = (|coordinate| + size + reach) per_texel + 1
 template <real T>
 [[nodiscard]] T cascade_border_fade(glm::vec<2, T> coordinate, glm::vec<2, T> size, T reach, T per_texel) {
@@ -56,8 +61,8 @@ template <real T>
     return detail::greater(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
 }
 
-/// Two cascades' visibilities, mixed.
-/// @param weight    of the farther cascade's, 0 .. 1
+/// Blend of two cascades' visibilities.
+/// @param weight    weight of the farther cascade, 0 to 1
 /// @formula         nearer + (farther - nearer) weight, from weight 1 on farther alone
 /// @exactness       B, n = 3; nothing rounds where visibilities are multiples of 2^-16 and weights of 1/256
 template <real T>
@@ -65,9 +70,10 @@ template <real T>
     return weight < T(1) ? nearer + (farther - nearer) * weight : farther;
 }
 
-/// A pixel's threshold, each of 16 once in every 4 x 4 of them, spread as evenly as can be.
-/// @param pixel     whole numbers or positions in pixels; of 2^15 and more, and NaN, all have the first
-/// @return          1/32, 3/32 .. 31/32
+/// Dither threshold of a pixel. Each of 16 values occurs once in every 4x4 pixels, as evenly spread as possible.
+/// @param pixel     pixel index, or position in pixels
+/// @return          1/32, 3/32 to 31/32
+/// @edge            NaN, or a magnitude of 2^15 or more: 1/32
 /// @formula         (m + 1/2) / 16, m's bits from the highest: x0 xor y0, y0, x1 xor y1, y1, of x and y modulo 4
 /// @exactness       A
 /// @cite            Bayer: An optimum method for two-level rendition of continuous-tone pictures, ICC 1973
@@ -81,11 +87,12 @@ template <real T>
     return (m + T(0.5)) * T(1.0 / 16.0);
 }
 
-/// The cascade that a pixel looks its shadow up in.
-/// @param number      of the cascade;   weight  of the next one, in steps of 1/256
-/// @param threshold   dither_threshold
-/// @return            number, or the next one where weight is above threshold: after the last cascade one that is not
-///                    there, where all is lit
+/// Cascade that a pixel uses for its one lookup.
+/// @param number      index of the cascade
+/// @param weight      weight of the next cascade, in steps of 1/256
+/// @param threshold   result of dither_threshold
+/// @return            number, or number + 1 if weight is above threshold. After the last cascade that index has no
+///                    cascade, and the receiver is lit
 /// @exactness         A
 template <real T>
 [[nodiscard]] constexpr T dithered_cascade(T number, T weight, T threshold) {
@@ -96,10 +103,10 @@ namespace glsl {
 
 inline constexpr snippet cascade_weight{
     .name = "cascade_weight",
-    .summary = "a weight in steps of 1/256",
+    .summary = "weight in steps of 1/256",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
     return steps * (1.0 / 256.0);
@@ -114,7 +121,7 @@ inline constexpr snippet cascade_fade{
     .operations = 3,
     .needs = list<&cascade_weight>,
     .source = R"GLSL(
-// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis: depth * scale + offset
 UMBRAGE_HIGHP float umbrage_cascade_fade(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float scale,
                                          UMBRAGE_HIGHP float offset) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float v = depth * scale + offset;
@@ -130,8 +137,10 @@ inline constexpr snippet cascade_border_fade{
     .operations = 8,
     .needs = list<&cascade_weight>,
     .source = R"GLSL(
-// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
-//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 up to reach texels from the border of a map
+//   coordinate  position in the map, in texels
+//   size        size of the map, in texels
+//   per_texel   weight per texel: 1.0 / width of the band along the border
 UMBRAGE_HIGHP float umbrage_cascade_border_fade(UMBRAGE_HIGHP vec2 coordinate, UMBRAGE_HIGHP vec2 size,
                                                 UMBRAGE_HIGHP float reach, UMBRAGE_HIGHP float per_texel) {
     UMBRAGE_HIGHP vec2 half_size = size * 0.5;
@@ -146,11 +155,11 @@ UMBRAGE_HIGHP float umbrage_cascade_border_fade(UMBRAGE_HIGHP vec2 coordinate, U
 
 inline constexpr snippet blend_cascades{
     .name = "blend_cascades",
-    .summary = "two cascades' visibilities, mixed",
+    .summary = "blend of two cascades' visibilities",
     .exactness = tier::b,
     .operations = 3,
     .source = R"GLSL(
-// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+// umbrage_blend_cascades: blend of the visibilities of a cascade and of the next one, by the next one's weight
 UMBRAGE_HIGHP float umbrage_blend_cascades(UMBRAGE_HIGHP float nearer, UMBRAGE_HIGHP float farther,
                                            UMBRAGE_HIGHP float weight) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = nearer + (farther - nearer) * weight;
@@ -161,11 +170,11 @@ UMBRAGE_HIGHP float umbrage_blend_cascades(UMBRAGE_HIGHP float nearer, UMBRAGE_H
 
 inline constexpr snippet dither_threshold{
     .name = "dither_threshold",
-    .summary = "one of 16 thresholds for a pixel",
+    .summary = "one of 16 dither thresholds for a pixel",
     .exactness = tier::a,
     .needs = list<&inside_texel_space>,
     .source = R"GLSL(
-// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+// umbrage_dither_threshold: dither threshold of a position in pixels: 1/32 to 31/32, each once in 4x4 pixels
 UMBRAGE_HIGHP float umbrage_dither_threshold(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 high = floor(whole * 0.5);
@@ -180,10 +189,10 @@ UMBRAGE_HIGHP float umbrage_dither_threshold(UMBRAGE_HIGHP vec2 pixel) {
 
 inline constexpr snippet dithered_cascade{
     .name = "dithered_cascade",
-    .summary = "a cascade, or by its weight the next one",
+    .summary = "cascade of a pixel, or the next one, by its weight",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+// umbrage_dithered_cascade: index of a cascade, or of the next one if its weight is above the pixel's threshold
 UMBRAGE_HIGHP float umbrage_dithered_cascade(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float weight,
                                              UMBRAGE_HIGHP float threshold) {
     return number + (weight > threshold ? 1.0 : 0.0);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
+// Cascaded shadow maps (CSM) for a directional light: one map per slice of the camera's range, all with one rotation.
 //
 //     const umbrage::cascade_fit<float> fit{
 //         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f, .clip = clip};
 //     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
-//     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
-//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
+//     for (const auto& c : cascades) draw_depths(c.light);                   // one depth pass each
+//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // for select.hpp and blend.hpp
 //
-// Far from the world's origin fit in double, and draw and look up relative_to(cascades, origin).
+// Far from the world's origin fit in double, then draw and look up with relative_to(cascades, origin).
+// Also called: CSM, PSSM, sun shadows. See also: splits.hpp, select.hpp, blend.hpp, warped.hpp.
 #pragma once
 
 #include <array>
@@ -29,31 +30,31 @@
 
 namespace umbrage {
 
-/// One part of the camera's range and its map.
+/// One cascade: a slice of the camera's range, and its map.
 template <real T>
 struct cascade {
-    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for all
-    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
-    T begin = T(0), end = T(0);                ///< distances along the camera's axis
+    light_space<T> light;                      ///< light for the depth pass; all cascades share its view, a rotation
+    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w is 0
+    T begin = T(0), end = T(0);                ///< slice along the camera's axis, world units
 };
 
 template <real T = float>
 struct cascade_fit {
-    frustum<T> camera{};                           ///< of any kind; but for its planes, in place of which are splits
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as maps turn with it
-    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers
-    glm::ivec2 map_size{1024};                     ///< of each cascade, texels
-    T margin = T(2);                               ///< texels around: the filter's reach
-    T overlap = T(0);                              ///< share of a cascade that the next one holds too, 0 .. 1
-    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
+    frustum<T> camera{};                           ///< any kind; the splits replace its z_near and z_far
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< direction the light travels; any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< up axis of the maps; keep it constant, maps rotate with it
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: bounds of all casters and receivers
+    glm::ivec2 map_size{1024};                     ///< size of each map, texels
+    T margin = T(2);                               ///< border around the slice, texels: the filter's reach
+    T overlap = T(0);                              ///< fraction of a cascade that the next one also covers, 0 to 1
+    clip_space clip{};                             ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
 namespace detail {
 
 [[nodiscard]] inline int shorter_side(glm::ivec2 size) { return size.x < size.y ? size.x : size.y; }
 
-/// A fitted light, whose view is a rotation, as a cascade.
+/// Cascade of a fitted light whose view is a rotation.
 template <real T>
 [[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, glm::ivec2 map_size, const char* function) {
     const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, map_size);
@@ -67,7 +68,7 @@ template <real T>
     return c;
 }
 
-/// The camera's parts between splits, with what they overlap.
+/// Slices of the camera's frustum between splits, with their overlap.
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
                                                               const std::array<T, Count + 1>& splits,
@@ -92,32 +93,32 @@ template <std::size_t Count, real T>
     return parts;
 }
 
-/// What a part sees of a scene; where that is nothing, all of the part.
+/// Part of a scene that a slice sees, or the whole slice if it sees nothing of the scene.
 template <class = on_use>
 [[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
     const polyhedron seen = intersection(part, scene);
     return seen.empty() ? hull(part) : hull(seen);
 }
 
-/// A directional light with depths of a whole scene, and a little beyond it.
+/// Directional light with the depth range of a whole scene, and a little beyond.
 template <real T>
 [[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
                                                  const char* function) {
     const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
-    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes have some depth too
+    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes need some depth too
     const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
                                            function, "", "low and high of scene");
     light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
     return light;
 }
 
-/// A margin in texels as a share of what a map holds within it.
+/// Margin in texels as a fraction of the map's size inside the margin.
 template <real T>
 [[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
     return double(fit.margin) / (shorter_side(fit.map_size) - 2 * double(fit.margin));
 }
 
-/// A cascade for each part, of light(frustum) in double.
+/// One cascade per slice, from light(frustum) in double.
 template <std::size_t Count, real T, class Light>
 [[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
                                                           const std::array<T, Count + 1>& splits, const char* function,
@@ -134,21 +135,19 @@ template <std::size_t Count, real T, class Light>
 
 }  // namespace detail
 
-/// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
-/// camera's frustum, which does not change as the camera turns, and moves by whole texels. Depths come from the scene
-/// alone, by one scale and one offset in all cascades, so that a constant bias is as many world units in each. Texels
-/// are squares of the world, whatever the map's sides; the shorter one decides their size.
+/// Cascades that do not shimmer while the camera moves or rotates. Texels are square, sized by the map's shorter side.
 ///
-/// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
-/// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
-/// else in float 2^-14 of a texel on maps of 1024, which may move a filter's weights by a step of 1/256. Draw depths
-/// from rotated points by the projection alone. In float, one matrix for both may move points by a hundredth of a
-/// texel.
+/// Each map covers the sphere around its slice, whose size does not depend on the view, and moves by integer texels.
+/// Depth spans the scene and is scaled alike in all cascades, so a constant bias is equal in world units. In the depth
+/// pass rotate points first, then apply the projection: one float matrix for both may move points by 1/100 texel.
 ///
-/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
-/// @return         the nearest first, from split to split
-/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range; what sphere_around and
-///                                fit_directional_light complain of; and what gives matrices that are not finite
+/// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp
+/// @return         cascades from near to far
+/// @accuracy       offsets are integers up to 2^23 texels from the world's origin. A world point keeps its place in its
+///                 texel, exactly if it is farther from the origin than the map is wide. Else its coordinate rounds, in
+///                 float by 2^-14 texel (6e-5) on maps of 1024, which may change a filter's weights by 1/256
+/// @throws std::invalid_argument  splits out of order; map_size, margin or overlap out of range; clip or scene unset;
+///                                an invalid camera, direction or scene; matrices that would not be finite
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
                                                                  const std::array<T, Count + 1>& splits) {
@@ -170,9 +169,11 @@ template <std::size_t Count, real T>
     return all;
 }
 
-/// Cascades of the greatest resolution: each map holds what its part of the camera's frustum has in common with the
-/// scene, and no more; where that is nothing, its part of the frustum. Texels change their size and place as the camera
-/// moves. The rest as for make_stable_cascades; the margin is that many texels or more.
+/// Cascades of the highest resolution: each map covers the part of the scene inside its slice.
+///
+/// A slice that misses the scene gets a map of the whole slice. Texels change size and place as the camera moves, so
+/// edges shimmer. The margin is fit.margin or more.
+/// Parameters, result and errors are those of make_stable_cascades.
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
                                                                 const std::array<T, Count + 1>& splits) {
@@ -189,8 +190,8 @@ template <std::size_t Count, real T>
     });
 }
 
-/// Cascades for points relative to an origin near the camera, which may be another each frame: see texture_matrix.
-/// @throws std::invalid_argument  what is not finite in float
+/// Cascades for points relative to an origin near the camera. It may change from frame to frame: see texture_matrix.
+/// @throws std::invalid_argument  values that would not be finite in float
 template <std::size_t Count>
 [[nodiscard]] std::array<cascade<float>, Count> relative_to(const std::array<cascade<double>, Count>& cascades,
                                                             glm::dvec3 origin) {
@@ -204,17 +205,17 @@ template <std::size_t Count>
     return all;
 }
 
-/// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
+/// Uniforms of a shader with up to four cascades, for select.hpp and blend.hpp.
 template <real T>
 struct cascade_uniforms {
-    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's directions, for shadow_coordinate
-    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< columns: a cascade's each; w: of cascade_fade
-    glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
+    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's axes, for shadow_coordinate
+    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< one column per cascade; w is for cascade_fade
+    glm::vec<3, T> ends{T(0)};                      ///< ends of all cascades but the last, for cascade_by_depth
 };
 
 namespace detail {
 
-/// Scale and offset of a cascade's cascade_fade; zeros where nothing fades.
+/// Scale and offset for a cascade's cascade_fade; zeros if nothing fades.
 template <real T>
 [[nodiscard]] glm::vec<2, T> fade_of(T begin, T end, T fade) {
     const T width = fade * (end - begin);
@@ -226,11 +227,11 @@ void require_fade(T fade) {
     require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "from 0 to 1", fade);
 }
 
-/// How many threes hold the ends of cascades but the last.
+/// Number of vec3 for the ends of all cascades but the last.
 template <std::size_t Count>
 inline constexpr std::size_t ends_groups = Count < 3 ? 1 : (Count + 1) / 3;
 
-/// The ends of cascades but the last, three at a time, filled up with the highest number.
+/// Ends of all cascades but the last in groups of three, filled up with the highest number.
 template <real T, class Cascade, std::size_t Count>
 [[nodiscard]] std::array<glm::vec<3, T>, ends_groups<Count>> ends_of(const std::array<Cascade, Count>& cascades) {
     std::array<glm::vec<3, T>, ends_groups<Count>> ends;
@@ -239,7 +240,7 @@ template <real T, class Cascade, std::size_t Count>
     return ends;
 }
 
-/// Scales and offsets of up to four cascades; what is not there holds no point.
+/// Columns of scales and offsets for up to four cascades. Columns without a cascade contain no point.
 template <real T>
 void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>& scales, glm::mat<4, 4, T>& offsets) {
     scales = offsets = glm::mat<4, 4, T>(T(0));
@@ -257,11 +258,10 @@ void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>
 
 }  // namespace detail
 
-/// Uniforms of up to four cascades, as cascade_column and cascade_by_projection take them. Warped cascades have a
-/// matrix each: warped.hpp.
-/// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
-///               overlap must have been asked for
-/// @return       where there are fewer than four, nothing falls into the others by depth or by projection
+/// Uniforms of up to four cascades, for cascade_column and cascade_by_projection. Warped cascades: see warped.hpp.
+/// @param fade   fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
+///               cascade_fit::overlap must be at least as large
+/// @return       uniforms. With fewer than four cascades, no point falls into the missing ones by depth or projection
 /// @throws std::invalid_argument  fade out of range
 template <real T, std::size_t Count>
 requires(Count >= 1 && Count <= 4)
@@ -274,16 +274,16 @@ requires(Count >= 1 && Count <= 4)
     return u;
 }
 
-/// What a shader of five and more cascades takes, in groups of four: cascade_column_8 and cascade_by_projection_8.
+/// Uniforms of a shader with five or more cascades, in groups of four: cascade_column_8, cascade_by_projection_8.
 template <real T, std::size_t Count>
 struct grouped_cascade_uniforms {
-    glm::mat<4, 4, T> rotation{T(1)};                                ///< as cascade_uniforms has it
-    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< of four cascades each, as there
-    /// Of the cascades but the last, three at a time: the sum of cascade_by_depth over them is a cascade's number.
+    glm::mat<4, 4, T> rotation{T(1)};                                ///< as in cascade_uniforms
+    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< of four cascades each, as in cascade_uniforms
+    /// Ends of all cascades but the last, in groups of three. The sum of cascade_by_depth over them is the cascade.
     std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
 };
 
-/// Uniforms of five and more cascades: their first four are those of cascade_uniforms. The rest as there.
+/// Uniforms of five or more cascades. Parameters and errors are those of the version for up to four.
 template <real T, std::size_t Count>
 requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascade_uniforms(
     const std::array<cascade<T>, Count>& cascades, T fade) {

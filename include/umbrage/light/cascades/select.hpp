@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which of a directional light's cascades a receiver looks its shadow up in, and where in it: one rotation for all, a
-// scale and an offset for each.
+// Selection of a receiver's cascade, by depth or by projection, and its coordinate there. One rotation serves all
+// cascades, and each has a scale and an offset.
 //
 //     glm::vec3 light(umbrage::shadow_coordinate(u.rotation, world));
 //     float number = umbrage::cascade_by_depth(view_depth, u.ends);
@@ -9,15 +9,15 @@
 //                                                umbrage::cascade_column(u.offsets, number));
 //     float visibility = umbrage::pcf_2x2(umbrage::bordered(maps[int(number)]), glm::vec2(at), at.z - bias);
 //
-// In shaders the number is an array's layer, or chooses a tile of an atlas. Where arrays of uniforms take an index that
-// differs from pixel to pixel, they do for cascade_column. What costs a shader least there is a texture matrix for each
-// cascade in place of rotation, scale and offset, rounded from double so that stable cascades stay where they are, and
-// stored by row: three are then loaded, not four columns.
+// In shaders the number is the layer of an array, or selects a tile of an atlas. Uniform arrays can replace
+// cascade_column if they accept an index that differs per pixel. The cheapest uniform is then one texture matrix per
+// cascade, in place of rotation, scale and offset. Round it from double, so that stable cascades stay stable.
+// Store it by rows: the shader then loads three rows, not four columns.
 //
 //     layout(std140, row_major) uniform cascades { mat4 to_texels[4]; vec3 ends; };
 //     vec3 at = umbrage_shadow_coordinate(to_texels[int(number)], world).xyz;
 //
-// Of five to eight cascades, as grouped_cascade_uniforms has them:
+// With five to eight cascades, from grouped_cascade_uniforms:
 //
 //     float number = 0;
 //     for (const glm::vec3& ends : u.ends) number += umbrage::cascade_by_depth(view_depth, ends);
@@ -34,11 +34,12 @@
 
 namespace umbrage {
 
-/// The cascade that a distance from the camera falls into.
-/// @param depth   along the camera's axis, or whatever else grows with it, as ends do: gl_FragCoord.z costs a shader
-///                nothing; NaN gives 0
-/// @param ends    of the first cascades but not of the last, ascending; infinity for one that is not there
-/// @return        0 .. 3. Ends of more cascades: the sum over them, three at a time
+/// Cascade that contains a distance from the camera.
+/// @param depth   distance along the camera's axis, or any value that grows with it and has matching ends. In shaders
+///                gl_FragCoord.z costs nothing
+/// @param ends    ends of the first cascades but not of the last, increasing; infinity for a missing cascade
+/// @return        0 to 3. With more cascades, add the results for all groups of three ends
+/// @edge          NaN depth: 0
 /// @exactness     A: comparisons
 template <real T>
 [[nodiscard]] constexpr T cascade_by_depth(T depth, glm::vec<3, T> ends) {
@@ -47,17 +48,18 @@ template <real T>
 }
 
 /// One of four columns.
-/// @param number   0 .. 3; above 3 the last
+/// @param number   index of the column, 0 to 3
+/// @edge           above 3: the last column
 /// @exactness      A
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_column(const glm::mat<4, 4, T>& columns, T number) {
     return number < T(1.5) ? (number < T(0.5) ? columns[0] : columns[1]) : (number < T(2.5) ? columns[2] : columns[3]);
 }
 
-/// A point in the map of one cascade.
-/// @param light           the point, rotated into the light's directions
-/// @param scale, offset   of the cascade, see cascade; their w is not used
-/// @return                (x, y) in texels, depth: what filters take, without a division
+/// Position of a point in one cascade's map.
+/// @param light           the point, rotated into the light's axes
+/// @param scale, offset   scale and offset of the cascade, see cascade; their w is not used
+/// @return                x and y in texels, z depth, ready for a filter without a division
 /// @formula               light scale + offset
 /// @exactness             B, n = 2: a product and a sum each
 template <real T>
@@ -66,8 +68,9 @@ template <real T>
     return {light.x * scale.x + offset.x, light.y * scale.y + offset.y, light.z * scale.z + offset.z};
 }
 
-/// True for a coordinate whose filter stays inside the map, between the near and the far plane.
-/// @param size    of the map, in texels;   reach  of the filter, in texels
+/// True if a filter at a coordinate stays inside the map, between the near and the far plane.
+/// @param size    size of the map, in texels
+/// @param reach   filter radius, in texels
 /// @exactness     B, n = 2, S = size + reach: differences, exact where size and reach are multiples of 1/16
 template <real T>
 [[nodiscard]] constexpr bool inside_cascade(glm::vec<3, T> coordinate, glm::vec<2, T> size, T reach) {
@@ -76,13 +79,14 @@ template <real T>
            within(T(0), coordinate.z, T(1));
 }
 
-/// The first cascade that holds a point and its filter, which is the finest, and where in it.
-/// @param light            the point, rotated into the light's directions
-/// @param scales, offsets  of four cascades, as cascade_coordinate takes them; see make_cascade_uniforms for fewer
-/// @param size             of each map, in texels;   reach  of the filter, in texels
-/// @return                 (x, y) in texels, depth, number; (65536, 65536, 0, 4), which every filter takes as lit,
-///                         where none holds it: shaders read a texel all the same, so that the layer must be one that
-///                         is there, min(number, 3)
+/// Finest cascade that contains a point and the filter around it, which is the first, and the position there.
+/// @param light            the point, rotated into the light's axes
+/// @param scales, offsets  of four cascades, as for cascade_coordinate; with fewer see make_cascade_uniforms
+/// @param size             size of each map, in texels
+/// @param reach            filter radius, in texels
+/// @return                 (x, y) in texels, depth, index of the cascade
+/// @edge                   no cascade contains it: (65536, 65536, 0, 4), which filters take as lit. Shaders read a
+///                         texel even then, so use an existing layer: min(number, 3)
 /// @exactness              B, n = 4: S as cascade_coordinate and inside_cascade
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
@@ -95,8 +99,10 @@ template <real T>
     return {T(65536), T(65536), T(0), T(4)};
 }
 
-/// One of eight columns, of five to eight cascades: grouped_cascade_uniforms.
-/// @param nearer, farther   four columns each;   number  0 .. 7; above 7 the last
+/// One of eight columns, for five to eight cascades: see grouped_cascade_uniforms.
+/// @param nearer, farther   four columns each
+/// @param number            index of the column, 0 to 7
+/// @edge                    above 7: the last column
 /// @exactness               A
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_column_8(const glm::mat<4, 4, T>& nearer,
@@ -104,8 +110,8 @@ template <real T>
     return number < T(3.5) ? cascade_column(nearer, number) : cascade_column(farther, number - T(4));
 }
 
-/// cascade_by_projection of up to eight cascades, in groups of four.
-/// @return        number 8 where none holds the point: shaders read layer min(number, 7)
+/// cascade_by_projection for up to eight cascades, in groups of four.
+/// @edge          no cascade contains the point: number 8. Shaders read layer min(number, 7)
 /// @exactness     B, n = 5: S as cascade_coordinate and inside_cascade
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection_8(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
@@ -119,8 +125,9 @@ template <real T>
     return {farther.x, farther.y, farther.z, farther.w + T(4)};
 }
 
-/// First texel of a cascade in an atlas of two tiles a row.
-/// @param number   0 or above, whole;   size  of a tile, in texels
+/// First texel of a cascade in an atlas with two tiles per row.
+/// @param number   index of the cascade, an integer >= 0
+/// @param size     size of a tile, in texels
 /// @exactness      A
 [[nodiscard]] inline glm::ivec2 cascade_tile(int number, glm::ivec2 size) {
     return glm::ivec2(number % 2, number / 2) * size;
@@ -130,11 +137,11 @@ namespace glsl {
 
 inline constexpr snippet cascade_by_depth{
     .name = "cascade_by_depth",
-    .summary = "cascade that a view depth falls into",
+    .summary = "cascade that contains a view depth",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
-//   ends  of the first three cascades, ascending
+// umbrage_cascade_by_depth: cascade that contains a distance along the camera's axis, 0.0 to 3.0
+//   ends  ends of the first three cascades, increasing
 UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
     UMBRAGE_HIGHP int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
     return float(reached);
@@ -144,10 +151,10 @@ UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_
 
 inline constexpr snippet cascade_column{
     .name = "cascade_column",
-    .summary = "one of four columns, without an index",
+    .summary = "one of four columns, without dynamic indexing",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+// umbrage_cascade_column: column of a matrix by its index, 0.0 to 3.0, for languages without dynamic indexing
 UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP vec4 low = number < 0.5 ? columns[0] : columns[1];
     UMBRAGE_HIGHP vec4 high = number < 2.5 ? columns[2] : columns[3];
@@ -158,11 +165,11 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HI
 
 inline constexpr snippet cascade_coordinate{
     .name = "cascade_coordinate",
-    .summary = "a point in the map of one cascade",
+    .summary = "position of a point in one cascade's map",
     .exactness = tier::b,
     .operations = 2,
     .source = R"GLSL(
-// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+// umbrage_cascade_coordinate: position in a cascade's map, texels and depth, of a point rotated into the light's axes
 UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
                                               UMBRAGE_HIGHP vec4 offset) {
     UMBRAGE_HIGHP vec3 start = vec3(offset.x, offset.y, offset.z);
@@ -174,14 +181,14 @@ UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_
 
 inline constexpr snippet inside_cascade{
     .name = "inside_cascade",
-    .summary = "coordinates whose filter stays inside a cascade",
+    .summary = "true if a filter stays inside a cascade",
     .exactness = tier::b,
     .operations = 2,
     .source = R"GLSL(
-// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+// umbrage_inside_cascade: true if a filter of radius reach at a coordinate stays inside a map of size texels
 bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float reach) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 end = size - reach;
-    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    // y is doubled because Mesa turns two comparisons with one limit into min(x, y) >= reach, which loses a NaN
     bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
     bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
     return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
@@ -191,15 +198,17 @@ bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 si
 
 inline constexpr snippet cascade_by_projection{
     .name = "cascade_by_projection",
-    .summary = "first cascade that holds a point and its filter",
+    .summary = "first cascade that contains a point and its filter",
     .exactness = tier::b,
     .operations = 4,
     .needs = list<&cascade_coordinate, &inside_cascade>,
     .source = R"GLSL(
-// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
-//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
-//   light            the point, rotated into the light's directions
-//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+// umbrage_cascade_by_projection: (texels, texels, depth, index) in the first of four cascades that contains a point
+//   and its filter; if there is none, index 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's axes
+//   scales, offsets  scales and offsets of the cascades
+//   size             size of each map, in texels
+//   reach            filter radius, in texels
 UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
                                                  UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec2 size,
                                                  UMBRAGE_HIGHP float reach) {
@@ -218,11 +227,11 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRA
 
 inline constexpr snippet cascade_column_8{
     .name = "cascade_column_8",
-    .summary = "one of eight columns, without an index",
+    .summary = "one of eight columns, without dynamic indexing",
     .exactness = tier::a,
     .needs = list<&cascade_column>,
     .source = R"GLSL(
-// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+// umbrage_cascade_column_8: column of two matrices by its index, 0.0 to 7.0
 UMBRAGE_HIGHP vec4 umbrage_cascade_column_8(UMBRAGE_HIGHP mat4 nearer, UMBRAGE_HIGHP mat4 farther,
                                             UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP vec4 low = umbrage_cascade_column(nearer, number);
@@ -234,12 +243,12 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_column_8(UMBRAGE_HIGHP mat4 nearer, UMBRAGE_H
 
 inline constexpr snippet cascade_by_projection_8{
     .name = "cascade_by_projection_8",
-    .summary = "first of eight cascades that holds a point and its filter",
+    .summary = "first of eight cascades that contains a point and its filter",
     .exactness = tier::b,
     .operations = 5,
     .needs = list<&cascade_by_projection>,
     .source = R"GLSL(
-// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection for eight cascades, four and four; index 8.0 for none
 UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection_8(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
                                                    UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
                                                    UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec2 size,
@@ -256,7 +265,7 @@ inline constexpr snippet cascade_tile{
     .summary = "first texel of a cascade in an atlas",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+// umbrage_cascade_tile: first texel of a cascade in an atlas with two tiles of size texels per row
 UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 size) {
     UMBRAGE_HIGHP float row = floor(number * 0.5);
     return vec2(number - row * 2.0, row) * size;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a camera's range is cut into cascades.
+// Split distances, which divide a camera's range into cascades.
 //
 //     auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);  // five distances, from 0.5 to 300
 //
-// Any other ascending distances do as well: these of one's own, or these with another first one, so that what is right
-// in front of the camera does not claim cascades.
+// Any increasing distances work, such as your own. You can also replace the first distance of these, so that the space
+// right in front of the camera claims no cascades.
+// Also called: practical split scheme, PSSM splits.
 #pragma once
 
 #include <array>
@@ -17,14 +18,14 @@
 
 namespace umbrage {
 
-/// Between uniform splits and logarithmic ones, which grow by one factor: with these a texel covers as many pixels in
-/// every cascade.
+/// Split distances between uniform and logarithmic ones (practical split scheme).
 ///
-/// @tparam Count           cascades
-/// @param z_near, z_far    distances along the camera's axis, 0 < z_near < z_far
-/// @param lambda           0 uniform, 1 logarithmic
-/// @return                 Count + 1 distances, strictly ascending; the first and the last are z_near and z_far
-/// @throws std::invalid_argument  anything else, and a range too short to be cut
+/// Logarithmic splits grow by one factor, so that a texel covers the same number of pixels in every cascade.
+/// @tparam Count           number of cascades
+/// @param z_near, z_far    distances along the camera's axis, world units, 0 < z_near < z_far
+/// @param lambda           0 for uniform, 1 for logarithmic splits
+/// @return                 Count + 1 distances, strictly increasing; the first and the last are z_near and z_far
+/// @throws std::invalid_argument  values outside these ranges; a range too short to be split
 /// @formula                lambda n (f / n)^(i / Count) + (1 - lambda) (n + (f - n) i / Count)
 /// @cite                   Zhang, Sun, Xu, Lun: Parallel-split shadow maps for large-scale virtual environments, 2006
 template <std::size_t Count, real T>

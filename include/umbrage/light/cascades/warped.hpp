@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// Cascades each of which is warped: the parts of a camera's range share out what one warp cannot reach.
+// Cascades with warped maps: each slice of the camera's range has its own warp, as one warp cannot serve them all.
 //
 //     const auto cascades = umbrage::make_warped_cascades<4>(
 //         fit, splits, [](const auto& part) { return umbrage::fit_light_space_perspective(part); });
-//     for (const auto& c : cascades) draw_depths(c.light);                               // a depth pass each
+//     for (const auto& c : cascades) draw_depths(c.light);                               // one depth pass each
 //     const auto uniforms = umbrage::make_cascade_uniforms(cascades, fit.map_size, 0.1f);  // for shaders
 //
-// In a shader with four of them, which have one vec3 of ends:
+// In a shader with four cascades, which need one vec3 of ends:
 //
 //     uniform mat4 to_texels[4];  uniform vec3 ends;  uniform vec2 fades[4];
 //     float number = umbrage_cascade_by_depth(view_depth, ends);
 //     vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels[int(number)], world));
 //     float weight = umbrage_cascade_fade(view_depth, fades[int(number)].x, fades[int(number)].y);  // of the next
 //
-// A pixel takes the cascade that cascade_by_depth names: their maps are turned and bent each in its own way, so that
-// there is no common rotation for cascade_by_projection.
+// Select the cascade with cascade_by_depth. cascade_by_projection needs one rotation, but here each map has its own.
+// See also: cascades.hpp without warps, warp/warp_fit.hpp.
 #pragma once
 
 #include <array>
@@ -32,23 +32,23 @@
 
 namespace umbrage {
 
-/// One part of the camera's range and its warped map.
+/// One slice of the camera's range, and its warped map.
 template <real T>
 struct warped_cascade {
-    light_space<T> light;        ///< for the depth pass
-    T strength = T(0);           ///< as warped_light has it
-    T begin = T(0), end = T(0);  ///< distances along the camera's axis
+    light_space<T> light;        ///< light for the depth pass
+    T strength = T(0);           ///< strength of the warp, as in warped_light
+    T begin = T(0), end = T(0);  ///< slice along the camera's axis, world units
 };
 
-/// A warped map for each part of the camera's range, around what that has in common with the scene; where that is
-/// nothing, around the part.
+/// Warped maps, one per slice of the camera's range. Each covers the part of the scene that its slice sees, or the
+/// whole slice if it sees nothing.
 ///
-/// @param fit      but for up: warps take the camera's direction
-/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
-/// @param warp     (const warp_fit<double>& part) -> warped_light<double>, whose margin is as many texels as fit's
-/// @return         the nearest first, each from its split to the next
-/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range, what warp complains
-///                                of, and what gives matrices that are not finite
+/// @param fit      camera, light and scene. Its up is not used: warps take the camera's direction
+/// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp
+/// @param warp     (const warp_fit<double>& part) -> warped_light<double>; the part has fit's margin in texels
+/// @return         cascades from near to far
+/// @throws std::invalid_argument  splits out of order; map_size, margin or overlap out of range; clip or scene unset;
+///                                errors of warp; matrices that would not be finite
 template <std::size_t Count, real T, class Warp>
 [[nodiscard]] std::array<warped_cascade<T>, Count> make_warped_cascades(const cascade_fit<T>& fit,
                                                                         const std::array<T, Count + 1>& splits,
@@ -72,20 +72,21 @@ template <std::size_t Count, real T, class Warp>
     return all;
 }
 
-/// What a shader of warped cascades takes.
+/// Uniforms of a shader with warped cascades.
 template <real T, std::size_t Count>
 struct warped_cascade_uniforms {
-    std::array<glm::mat<4, 4, T>, Count> to_texels;  ///< world to each map, for shadow_coordinate
-    /// Of the cascades but the last, three at a time, filled up with the highest float: the sum of cascade_by_depth
-    /// over all of them is a cascade's number.
+    std::array<glm::mat<4, 4, T>, Count> to_texels;  ///< world to each map's texels, for shadow_coordinate
+    /// Ends of all cascades but the last, in groups of three. The rest is filled up with the highest float. The sum of
+    /// cascade_by_depth over all groups is the cascade.
     std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
-    std::array<glm::vec<2, T>, Count> fades;  ///< scale and offset of cascade_fade
+    std::array<glm::vec<2, T>, Count> fades;  ///< scale and offset for cascade_fade
 };
 
-/// @param map_size   of each cascade, texels
-/// @param fade       share of each cascade over which the next one takes over, 0 .. 1; after the last, full light.
-///                   cascade_fit::overlap must be as much
-/// @throws std::invalid_argument  map_size below 1, fade out of range
+/// Uniforms of warped cascades.
+/// @param map_size   size of each map, texels
+/// @param fade       fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
+///                   cascade_fit::overlap must be at least as large
+/// @throws std::invalid_argument  map_size below 1; fade out of range
 template <real T, std::size_t Count>
 [[nodiscard]] warped_cascade_uniforms<T, Count> make_cascade_uniforms(
     const std::array<warped_cascade<T>, Count>& cascades, glm::ivec2 map_size, T fade) {
@@ -103,8 +104,9 @@ template <real T, std::size_t Count>
     return u;
 }
 
-/// Warped cascades of double for points relative to an origin: see texture_matrix. Their depth passes take relative_to.
-/// @throws std::invalid_argument  map_size below 1, fade out of range, what is not finite in float
+/// Uniforms of warped cascades in double, for points relative to an origin: see texture_matrix. In their depth passes
+/// use relative_to.
+/// @throws std::invalid_argument  map_size below 1; fade out of range; values that would not be finite in float
 template <std::size_t Count>
 [[nodiscard]] warped_cascade_uniforms<float, Count> make_cascade_uniforms(
     const std::array<warped_cascade<double>, Count>& cascades, glm::ivec2 map_size, float fade, glm::dvec3 origin) {
