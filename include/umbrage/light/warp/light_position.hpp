@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Point lights for warps: warp_fit::direction is then the axis, which all receivers have to lie along.
+// Position of a point light for warps. warp_fit::direction is the light's axis, and all receivers must lie along it.
 //
 //     auto warped = umbrage::fit_perspective(fit, {.position = p, .z_near = 0.05f});
 //
@@ -25,15 +25,15 @@ namespace umbrage {
 template <real T = float>
 struct light_position {
     glm::vec<3, T> position{T(0)};
-    T z_near = T(0.1);  ///< its own size, > 0: casters closer to it along the axis may be left out
+    T z_near = T(0.1);  ///< the light's own size, > 0: casters closer to it along the axis may be left out
 };
 
 namespace detail {
 
-/// A light's own view of receivers, and of casters what may stand before them.
+/// View of a point light: its receivers, and the casters that may stand between them and the light.
 struct axis_view {
     glm::dmat4 frame;        ///< world to x, y and the distance along the axis
-    double least, farthest;  ///< distances of receivers
+    double least, farthest;  ///< smallest and largest distance of receivers
     polyhedron casters;
 };
 
@@ -56,7 +56,7 @@ template <real T>
     return v;
 }
 
-/// Falls back to what is right before the light where there are no receivers.
+/// Fit with a fallback: without receivers it takes a frustum right in front of the light.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const light_position<T>& from, const char* function) {
     require(is_normal(from.z_near) && from.z_near > T(0), function, "from.z_near", "above 0, finite and no denormal",
@@ -72,10 +72,10 @@ template <real T>
     return completed(fit, ahead, function);
 }
 
-/// What the light sees along its axis: x, y, depth and w, of no warp.
+/// Map of the light's view along its axis without a warp: world to x, y, depth and w.
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const axis_view& v) {
-    glm::dmat4 inverse(1.0);  // of the distance: depth and w
+    glm::dmat4 inverse(1.0);  // depth and w from the distance
     inverse[2] = {0, 0, 0, 1};
     inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
     return inverse * v.frame;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Light-space perspective: a directional light's map, warped by a perspective across the light, whose center lies some
-// way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
+// Light-space perspective shadow maps (LiSPSM): a directional light's map, warped by a perspective across the light.
+// The warp's center lies some distance in front of the visible scene. Each ray of light falls on one point of the map.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
 //                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
@@ -9,6 +9,7 @@
 //     auto warped = umbrage::fit_light_space_perspective(fit);
 //     auto milder = umbrage::fit_light_space_perspective(fit, umbrage::optimal_distance(fit));
 //
+// Also called: LiSPSM, LSPSM. See also: trapezoidal.hpp, perspective.hpp, cascades/warped.hpp.
 #pragma once
 
 #include <cmath>
@@ -31,16 +32,16 @@
 namespace umbrage {
 namespace detail {
 
-/// A camera's receivers as the light sees them, y along the camera's view.
+/// Receivers of a camera as the light sees them, with y along the camera's view.
 struct along_view {
     glm::dmat4 frame;  ///< world to x, y and depth
-    glm::dvec3 first;  ///< x of the camera, least y of the receivers, and the camera's depth or that of the receivers
-                       ///< next to it: planes through the warp's zero of depth and its center need no bias, and those
-                       ///< near to them little
-    double length;     ///< from their least y to the greatest
+    glm::dvec3 first;  ///< x of the camera, smallest y of the receivers, their depth nearest to the camera's depth.
+                       ///< Planes through the warp's center at this depth need no bias. Planes near to them need
+                       ///< little
+    double length;     ///< extent of the receivers in y
     double camera_y;
-    double closest;  ///< least distance of receivers along the camera's view, no less than its near plane
-    double sine;     ///< of the angle between view and light; 0 for an orthographic camera
+    double closest;  ///< smallest distance of receivers along the camera's view, at least z_near
+    double sine;     ///< sine of the angle between view and light; 0 for an orthographic camera
 };
 
 template <real T>
@@ -48,7 +49,7 @@ template <real T>
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
     const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera, function, "camera")[2];
-    // what an orthographic camera sees afar is no smaller: no warp, as where both look one way
+    // an orthographic camera shrinks nothing: no warp, as where camera and light look one way
     v.sine = is_perspective(fit.camera) ? glm::length(glm::cross(view, unit(glm::dvec3(fit.direction)))) : 0.0;
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
@@ -62,24 +63,25 @@ template <real T>
     return v;
 }
 
-/// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
+/// Fraction of the warp to apply, by the sine between view and light: none below 0.02, all of it from 0.2 on.
 [[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
 
-/// The strongest warp there is: float holds no more.
+/// Smallest distance of the warp's center, for the strongest warp that float can hold.
 [[nodiscard]] inline double least_distance(const along_view& v) { return v.length * 0x1p-14; }
 
-/// @return   infinite where camera and light look one way, and for receivers of no extent at the camera
+/// Distance of the mildest useful warp.
+/// @return   infinite if camera and light look one way, and for receivers of no extent at the camera
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
     const double least = detail::greater(n, least_distance(v));
     return v.sine > 0.0 && least > 0.0 ? least : detail::highest<double>;
 }
 
-/// Near the best on a ground.
+/// Distance that is close to optimal on a ground.
 [[nodiscard]] inline double default_distance(const along_view& v) { return std::sqrt(v.closest * optimal_distance(v)); }
 
-/// A perspective along y whose center lies n before the first receivers; in front of them it changes no length.
-/// @return    world to x, y, depth and w
+/// Perspective along y, whose center lies n in front of the first receivers. At those it changes no length.
+/// @return    matrix from the world to x, y, depth and w
 /// @formula   (x, y, z) / (1 + y / n) about `first`
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
@@ -100,12 +102,13 @@ template <real T>
 
 }  // namespace detail
 
-/// How far before the receivers the center of a light-space perspective has to lie so that the greatest error over the
-/// camera's frustum is least: the mildest warp that is of use.
-/// @return      world units along the camera's view, across the light, > 0; infinite where both look one way
-/// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
-///              view, d their extent along it across the light, t the angle between view and light
-/// @throws std::invalid_argument  as fit_light_space_perspective does
+/// Distance from the receivers to the center of a light-space perspective that minimizes the largest error over the
+/// camera's frustum. It gives the mildest useful warp.
+/// @return      world units along the camera's view, across the light, > 0
+/// @edge        camera and light look one way: infinite
+/// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t, with t the angle between view and light. Along the
+///              camera's view z0 is the smallest distance of receivers, and d is their extent across the light
+/// @throws std::invalid_argument  as fit_light_space_perspective
 /// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
@@ -113,23 +116,23 @@ template <real T = float>
     return T(detail::optimal_distance(detail::make_along_view(detail::completed(fit, function), function)));
 }
 
-/// The map of a directional light, warped along the camera's view.
+/// Map of a directional light, warped along the camera's view.
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
-/// @param distance   n, from the warp's center to the receivers next to it, world units along the camera's view across
-///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
-///                   2^-14 of the receivers' extent, which stands for what is less. By default
-///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: near the best
-///                   on a ground, whose depth on the screen is foreshortened, if it is seen from there on; too small
-///                   where nothing is for long: see seen_range
-/// @return           strength 0, which is no warp, for orthographic cameras and where the sine of the angle between
-///                   view and light is 0.02 or less; from there to 0.2 the warp grows, without a jump
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
-///                                casters that are no box, a margin out of range, distance not above 0, and what gives
-///                                matrices that are not finite
-/// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' least y, y along the
-///                   view; then around the receivers
+/// @param distance   n, from the warp's center to the nearest receivers, > 0, in world units along the camera's view
+///                   across the light. Smaller values give more texels to close receivers. Infinity gives no warp.
+///                   2^-14 of the receivers' extent replaces smaller values. The default is sqrt(z0 optimal_distance),
+///                   with z0 the receivers' smallest distance along the camera's view. It is close to optimal on a
+///                   ground that is visible from z0 on, since the screen foreshortens its depth. It is too small if
+///                   nothing is visible for a long way: see seen_range
+/// @return           warped light. Its strength is 0, without a warp, for orthographic cameras and for a sine of 0.02
+///                   or less between view and light. Between sines of 0.02 and 0.2 the warp grows without a jump
+/// @throws std::invalid_argument  zero or non-finite direction; an invalid camera; receivers missing or without extent;
+///                                an invalid box of casters; a margin out of range; distance not above 0; clip unset;
+///                                matrices that would not be finite
+/// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' smallest y, with y
+///                   along the view. The result is fitted to the receivers
 /// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit,

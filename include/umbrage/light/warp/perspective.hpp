@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Perspective shadow maps: a light's map of the world as the camera's own perspective shrinks it, so that what is small
-// on the screen is small in the map. Whatever stands where, rays are texels: the light itself goes through the camera's
-// perspective, from which it comes out as a point that shines, as one that swallows the light, or infinitely far away.
+// Perspective shadow maps (PSM): a light's map of the world after the camera's own perspective. Objects that are small
+// on the screen are then small in the map. The light itself passes through the camera's perspective. Its image there is
+// a point where rays start, a point where rays end, or infinitely far away. Each ray falls on one point of the map.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
 //                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
 //                                  .clip = clip};
 //     umbrage::perspective_light<float> warped = umbrage::fit_perspective(fit);
-//     if (warped.seen_as == umbrage::light_image::none) report("light-space perspective in its place");
+//     if (warped.seen_as == umbrage::light_image::none) report("light-space perspective instead");
 //
+// Also called: PSM. See also: light_space_perspective.hpp, which is simpler; trapezoidal.hpp.
 #pragma once
 
 #include <cmath>
@@ -39,22 +40,22 @@
 
 namespace umbrage {
 
-/// What becomes of a light in the camera's perspective.
+/// Image of a light in the camera's perspective.
 enum class light_image {
-    source,    ///< a light before the camera: rays leave a point
-    sink,      ///< one behind it: they end in a point
-    parallel,  ///< one abreast of it: they stay parallel, or nearly
-    none       ///< a point amid the receivers, or too close to them, or no perspective: not warped so
+    source,    ///< light in front of the camera: rays leave a point
+    sink,      ///< light behind the camera: rays end in a point
+    parallel,  ///< light beside the camera: rays stay parallel, or nearly
+    none       ///< image among the receivers or too close to them, or no perspective: another map
 };
 
 template <real T>
 struct perspective_light : warped_light<T> {
-    light_image seen_as = light_image::none;  ///< none: what stands in its place
+    light_image seen_as = light_image::none;  ///< none: the light has another map
 };
 
 namespace detail {
 
-/// World to a camera's NDC, in double: the camera moved back, its planes around points.
+/// Matrix from the world to a camera's NDC, in double. The camera is moved back, and its planes enclose the points.
 [[nodiscard]] inline glm::dmat4 slid_back(const frustum<double>& camera, const std::vector<glm::dvec3>& points,
                                           double slide, const char* function) {
     const glm::dvec3 eye(camera.position), ahead = axes(camera, function, "camera")[2];
@@ -75,10 +76,10 @@ namespace detail {
     return projection * view;
 }
 
-/// The least and the greatest of angles under which points lie, in x and in y, z ahead.
+/// Smallest and largest angles of points in x and in y, with z ahead.
 struct angles {
     glm::dvec2 low{highest<double>}, high{-highest<double>};
-    bool all_ahead = true;  ///< false where one of them does not lie ahead, and nothing else is told
+    bool all_ahead = true;  ///< false if a point does not lie ahead; the angles are then unset
 };
 template <class = on_use>
 [[nodiscard]] angles angles_of(const std::vector<glm::dvec3>& points) {
@@ -91,14 +92,14 @@ template <class = on_use>
     return a;
 }
 
-/// Where in NDC the map's axis goes through: halfway between the angles at which the light's image sees receivers.
-/// @return   nothing where the image stands amid them
+/// Point in NDC on the map's axis: halfway between the angles at which the light's image sees receivers.
+/// @return   nothing if the image stands among the receivers
 template <class = on_use>
 [[nodiscard]] std::optional<glm::dvec3> aim(const glm::dvec3& image, const std::vector<glm::dvec3>& receivers,
                                             const char* function) {
     const auto [low, high] = extent_of(receivers);
     const glm::dvec3 middle = (low + high) * 0.5;
-    // seen from beyond the far plane all of NDC lies the same way
+    // from beyond the far plane all of NDC lies in one direction
     const glm::dvec3 ahead = image.z > 1.0 ? glm::dvec3(0, 0, -1) : middle - image;
     const glm::dmat4 first = light_frame(
         look_along(image, ahead, glm::dvec3(0, 1, 0), handedness::right, function, "camera"), handedness::right);
@@ -109,17 +110,17 @@ template <class = on_use>
     return image + axis * glm::dot(middle - image, axis);
 }
 
-/// A map in which rays are texels, and the angle by which its light's image sees receivers, pi and more: amid them.
+/// Map whose texels are rays, and the angle that receivers fill around the light's image. pi or more: it is among them.
 struct ray_map {
     glm::dmat4 to_map;  ///< to x, y, depth and w
     double opening;
 };
 
-/// Of sources and sinks alike, and of what is between them: the light goes through the aim along u, curved by k, which
-/// is above 0 for sources.
-/// @param light       in NDC, homogeneous
-/// @param up          of the map, in NDC at the aim
-/// @param receivers   in NDC
+/// Map for sources and sinks alike, and for all between. The light passes through the aim along u, curved by k. k is
+/// above 0 for sources.
+/// @param light       light in NDC, homogeneous
+/// @param up          up axis of the map, in NDC at the aim
+/// @param receivers   receivers in NDC
 /// @formula           u = -(l.xyz - l.w aim) / r, k = l.w / r, r its length; depth = u.(p - aim), w = 1 + k depth
 template <class = on_use>
 [[nodiscard]] ray_map along_rays(const glm::dvec4& light, const glm::dvec3& aim, const glm::dvec3& up,
@@ -140,14 +141,14 @@ template <class = on_use>
     return {rays, greater(opening.x, opening.y)};
 }
 
-/// How much of a map stands in for one that opens so wide: all of it from 150 degrees on, none up to 120.
+/// Fraction of the fallback map at this opening angle: none up to 120 degrees, all of it from 150 degrees on.
 [[nodiscard]] inline double share_of_stand_in(double opening) {
     constexpr double degree = std::numbers::pi / 180.0;
     return glm::clamp((opening - 120.0 * degree) / (30.0 * degree), 0.0, 1.0);
 }
 
-/// A map whose receivers fill -1 to 1, w 1 at the least of them, and that mirrors nothing: maps of one light that are
-/// laid so can be mixed, as rays are texels in each.
+/// Map whose receivers fill -1 to 1, without a mirror. The smallest w of the receivers is 1. Such maps of one light can
+/// be blended, since each ray falls on one point in all of them.
 template <class = on_use>
 [[nodiscard]] glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
     extent box;
@@ -166,10 +167,10 @@ template <class = on_use>
     return placed * to_map / least;
 }
 
-/// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
-/// @param stand_in   the light's map where it has no other: world to x, y, depth and w
-/// @param instead    () -> warped_light<T>, that map
-/// @param frame      the light's own, whose y is the map's
+/// Map of a light. The homogeneous light is the direction towards it and 0, or its position and 1.
+/// @param stand_in   fallback map of the light: world to x, y, depth and w
+/// @param instead    () -> warped_light<T>, the light with the fallback map
+/// @param frame      frame of the light, whose y is the map's
 template <real T, class Instead>
 [[nodiscard]] perspective_light<T> perspective_of(const glm::dvec4& light, const warp_fit<T>& fit,
                                                   const polyhedron& casters, T slide, const char* function,
@@ -190,7 +191,7 @@ template <real T, class Instead>
     if (middle) {
         const auto [low, high] = extent_of(in_ndc);
         const glm::dvec4 y = to_ndc * glm::dvec4(frame[0][1], frame[1][1], frame[2][1], 0.0);
-        // as the stand-in has it on the camera's axis, of a light amid the receivers: both turn alike
+        // as the fallback map has it on the camera's axis, for a light among the receivers: both rotate alike
         const glm::dvec3 up = glm::dvec3(y) - light.w * 0.5 * (low + high) * y.w;
         const auto [rays, opening] = along_rays(image, *middle, up, in_ndc, function);
         const double share = share_of_stand_in(opening);
@@ -208,19 +209,19 @@ template <real T, class Instead>
 
 }  // namespace detail
 
-/// The map of a directional light through the camera's perspective. Under lights 6 to 14 degrees above a ground it can
-/// resolve far less than a map without a warp: see choose_light. Casters behind the camera need no more of a slide:
-/// w is the same all along a ray, and depth runs on.
+/// Map of a directional light through the camera's perspective.
 ///
-/// While camera and light move the map changes without a jump, from image to image of the light too, and to
-/// fit_light_space_perspective, which it turns into while what the camera sees fills 120 to 150 degrees around the
-/// light's image.
+/// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
+/// Casters behind the camera need no larger slide: w is constant along a ray, and depth continues.
 ///
-/// @param slide   how far behind its place the camera is taken for the warp, world units, > 0: the least distance to
-///                receivers. Less gives more of the map to what is close
-/// @return        light_image::none and fit_light_space_perspective where the light, or the point opposite, stands amid
-///                what the camera sees, which fills 150 degrees around it or more
-/// @throws std::invalid_argument  as fit_light_space_perspective does, and slide not above 0
+/// The map changes without a jump while camera and light move, and between the kinds of image too. It blends into
+/// fit_light_space_perspective while the visible receivers fill 120 to 150 degrees around the light's image.
+///
+/// @param slide   distance to move the camera back for the warp, world units, > 0: the smallest distance to receivers.
+///                Smaller values give more of the map to close receivers
+/// @return        warped light. light_image::none with fit_light_space_perspective if the visible receivers fill 150
+///                degrees or more around the light, or around the point opposite
+/// @throws std::invalid_argument  as fit_light_space_perspective; slide not above 0
 /// @cite          Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002
 template <real T = float>
 [[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, T slide = T(1)) {
@@ -234,13 +235,15 @@ template <real T = float>
                                   [&] { return detail::warped_along(v, n, whole, function); });
 }
 
-/// The same of a point light, such as a spot: a source where it is before the camera, a sink where it is behind.
+/// Map of a point light (such as a spot light) through the camera's perspective. In front of the camera the light is a
+/// source, and behind it a sink.
 ///
-/// @param fit    whose direction is the light's axis
-/// @return       light_image::none and what the light sees along its axis, without a warp, where the light stands amid
-///               what the camera sees; where there are no receivers, a map of what is right before the light
-/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
-///                                what fit_perspective complains of
+/// @param fit    its direction is the light's axis
+/// @return       warped light. If the light stands among the visible receivers: light_image::none, and the view along
+///               its axis without a warp
+/// @edge         receivers without points: a map of the space right in front of the light
+/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near; z_near not above 0;
+///                                errors of fit_perspective above
 template <real T>
 [[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const light_position<T>& from,
                                                    T slide = T(1)) {

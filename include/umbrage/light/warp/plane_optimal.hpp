@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Plane-optimal: a map that on one plane is the screen itself, pixel for pixel in proportion: the best that can be had
-// for a ground, and for nothing else.
+// Plane-optimal shadow map: on one plane its texels match the screen's pixels in proportion. It is the best map for a
+// ground plane, and for nothing else.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
 //                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
 //                                  .clip = clip};
 //     auto ground = umbrage::fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));  // y = 0
-//     if (ground) draw_depths(ground->light);                               // else the plane is not seen, or not lit
+//     if (ground) draw_depths(ground->light);                               // else the plane is not seen or not lit
 //
+// See also: light_space_perspective.hpp for whole scenes.
 #pragma once
 
 #include <limits>
@@ -33,16 +34,16 @@
 
 namespace umbrage {
 
-/// Bound on how far the plane's own depth, which is one all over the map, spreads under a matrix that was made in
-/// double and rounded once to float: give acne_free_bias, which sees no slope, this much more. Holds for lights of 3
-/// degrees and more above the plane and cameras within 30 units of the world's origin; farther out it grows with that
-/// distance.
+/// Bound on the spread of the plane's own depth, which is constant over the map in exact arithmetic. It holds for a
+/// matrix computed in double and rounded once to float. Add it to acne_free_bias, which sees no slope there.
+/// The light must be 3 degrees or more above the plane, and the camera within 30 units of the world's origin. Farther
+/// out the spread grows with that distance.
 template <real T>
 inline constexpr T plane_optimal_rounding = T(0x1p-18);
 
 namespace detail {
 
-/// Where a plane cuts a body's edges: the corners of what they have in common.
+/// Corners of the intersection of a plane and a body: the points where the plane cuts the body's edges.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> crossings(const polyhedron& body, const glm::dvec4& plane) {
     std::vector<glm::dvec3> all;
@@ -55,8 +56,8 @@ template <class = on_use>
     return all;
 }
 
-/// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
-/// @param casters   that lie before w = 0
+/// Map of a light. The homogeneous light is the direction towards it and 0, or its position and 1.
+/// @param casters   part of the casters in front of w = 0
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> plane_optimal_of(const glm::dvec4& light, const warp_fit<T>& fit,
                                                               const polyhedron& casters, const glm::vec<4, T>& plane,
@@ -69,7 +70,7 @@ template <real T>
     const std::vector<glm::dvec3> seen = crossings(fit.camera, ground);
     if (!(height > 1e-6 * glm::length(light)) || seen.empty()) return {};
 
-    // along the light onto the plane, and from there onto the screen; heights over the plane are depth
+    // project along the light onto the plane, then onto the screen; depth is the height above the plane
     const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
     const glm::dmat3 camera = axes(fit.camera, function, "camera");
     const frustum<double> eye = of_one_eye(fit.camera, function);
@@ -92,7 +93,7 @@ template <real T>
                                  : glm::dot(glm::dvec3(ground), camera * glm::dvec3(eye.shift, 1.0));
     if (!(least > 0.0 && glm::abs(above) > 1e-6 * greatest)) return {};
     const double edge = 1.0 + 2.0 * double(fit.margin);
-    // w is a plane's point's, by a share that a point light takes away on the way towards it
+    // w of the point's shadow on the plane; a point light scales it down towards the light
     const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
     const glm::dvec2 swept = depths_within(to_map, casters,
                                            {{1, 0, 0, edge},
@@ -112,18 +113,20 @@ template <real T>
 
 }  // namespace detail
 
-/// The map of a directional light in which a plane lies as the camera sees it: where the map has k texels for a pixel
-/// across the screen, it has them everywhere on the plane, whatever the light. It holds what shades that part of the
-/// plane which the screen shows. Receivers apart from the plane are in it where their shadow on the plane is, and with
-/// fewer texels; the others, and what they are to be taken as, are the caller's: project_coordinate tells w <= 0, and
-/// inside_cascade the rest.
+/// Map of a directional light in which a plane lies as the camera sees it.
 ///
-/// @param fit     but for its receivers, for which the plane stands
-/// @param plane   dot(plane, (p, 1)) = 0, a normal of any length > 0; the light may come from either side
-/// @return        nothing where the camera does not see the plane, lies in it, or the light does (1e-6); of no use for
-///                what the light hardly touches: depth grows along the light by its height over the plane, over w
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, casters
-///                                that are no box, a margin out of range, and what gives matrices that are not finite
+/// A map with k texels per pixel across the screen has them everywhere on the plane, under every light. It contains
+/// the casters of the visible part of the plane. Receivers off the plane are in the map where their shadow on the plane
+/// is, with fewer texels. The caller decides about other receivers: project_coordinate finds w <= 0, and inside_cascade
+/// finds the rest.
+///
+/// @param fit     camera, light and casters. The plane replaces its receivers
+/// @param plane   dot(plane, (p, 1)) = 0, with a normal of any length > 0. The light may come from either side
+/// @return        warped light. Nothing if the camera does not see the plane, or if camera or light lie in it (1e-6).
+///                The map is of no use for light that barely reaches the plane. Depth is the height over the plane
+///                divided by w, and hardly grows along such light
+/// @throws std::invalid_argument  zero or non-finite direction; an invalid camera, plane or box of casters; receivers
+///                                missing; a margin out of range; clip unset; matrices that would not be finite
 /// @formula       x, y and w of the camera after (N.L) I - L N^T, depth - N.p
 template <real T = float>
 [[nodiscard]] std::optional<warped_light<T>> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {
@@ -135,10 +138,10 @@ template <real T = float>
                                     function);
 }
 
-/// The same of a point light.
-/// @param fit   whose direction is the light's axis
-/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
-///                                what fit_plane_optimal complains of
+/// Map of a point light in which a plane lies as the camera sees it.
+/// @param fit   its direction is the light's axis
+/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near; z_near not above 0;
+///                                errors of fit_plane_optimal above
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
                                                                const light_position<T>& from) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Trapezoidal shadow maps: a directional light's map from the trapezoid around what the camera sees, which is warped so
-// that up to a chosen distance the camera gets four fifths of the map.
+// Trapezoidal shadow maps (TSM): a directional light's map of the trapezoid around the visible scene.
+// The warp gives four fifths of the map to receivers up to a chosen distance.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
 //                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
 //                                  .clip = clip};
 //     auto warped = umbrage::fit_trapezoidal(fit, 20.0f);
 //
+// Also called: TSM. See also: light_space_perspective.hpp, which needs no focus distance.
 #pragma once
 
 #include <glm/common.hpp>
@@ -19,20 +20,19 @@
 
 namespace umbrage {
 
-/// The map of a directional light, warped along the camera's view with the focus on what is close.
+/// Map of a directional light, warped along the camera's view with a focus on close receivers.
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
-/// @param focus   distance along the camera's view up to which four fifths of the map are for, world units, >= 0;
-///                receivers that begin behind it get the strongest warp there is; none where four fifths of the
-///                receivers lie before it
-/// @return        strength 0, which is no warp, for orthographic cameras and where the sine of the angle between view
-///                and light is 0.02 or less; from there to 0.2 the warp grows, without a jump
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers of no extent,
-///                                casters that are no box, a margin out of range, focus negative or not finite, and
-///                                what gives matrices that are not finite
+/// @param focus   distance along the camera's view that gets four fifths of the map, world units, >= 0
+/// @return        warped light. Its strength is 0, without a warp, for orthographic cameras and for a sine of 0.02 or
+///                less between view and light. Between sines of 0.02 and 0.2 the warp grows without a jump
+/// @edge          receivers that begin beyond the focus: the strongest warp. Four fifths of them within it: no warp
+/// @throws std::invalid_argument  zero or non-finite direction; an invalid camera; receivers missing or without extent;
+///                                an invalid box of casters; a margin out of range; focus negative or not finite; clip
+///                                unset; matrices that would not be finite
 /// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
-///                l apart; with the focus f behind the top the legs meet 0.4 l f / (1.6 l - 2 f) before it
+///                l apart. With the focus f behind the top, its legs meet 0.4 l f / (1.6 l - 2 f) in front of the top
 /// @cite          Martin, Tan: Anti-aliasing and Continuity with Trapezoidal Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] warped_light<T> fit_trapezoidal(const warp_fit<T>& fit, T focus) {

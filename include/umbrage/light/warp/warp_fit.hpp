@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What warps of a directional light's map share: what they are fitted to, what they give, and their last step, which
-// lays any projective map of the world around the receivers.
+// Warps of a directional light's map: their common input and output, and their last step. The step fits any projective
+// map of the world to the receivers. See light_space_perspective.hpp, trapezoidal.hpp, perspective.hpp.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
 //                                  .receivers = umbrage::intersection(camera, scene), .casters = scene,
@@ -9,15 +9,15 @@
 //     umbrage::warped_light<float> warped = umbrage::fit_light_space_perspective(fit);
 //     draw_depths(warped.light);
 //
-// A warp gives what the camera sees close by more texels, and what it sees from afar fewer. Look-ups are those of a
-// spot light, by shadow_coordinate and project_coordinate; w is above 0 and depth grows along the light.
+// A warp gives more texels to surfaces close to the camera, and fewer to distant ones. Lookups are those of a spot
+// light, with shadow_coordinate and project_coordinate. w is above 0, and depth grows along the light.
 //
-// Under low lights, 6 to 14 degrees above a ground, a warp can resolve far less than a map without one: take the better
-// of both by choose_light.
+// Under low lights (6 to 14 degrees above a ground) a warp can resolve far less than a map without one. Use
+// choose_light to take the better of both.
 //
-// What is strongly warped wants digits: a matrix of doubles, rounded once, places points to 1/1000 of a texel of maps
-// of 2048 under a view of a kilometre. Its product with points in float loses more far from the origin, up to 1/28 of a
-// texel at the corners of that view; points told from the camera lose least.
+// Strong warps need precision. A matrix computed in double and rounded once places points to 1/1000 texel, for maps of
+// 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
+// 1/28 texel at the corners of that view. Points relative to the camera lose the minimum.
 #pragma once
 
 #include <optional>
@@ -42,46 +42,46 @@ namespace umbrage {
 
 template <real T = float>
 struct warp_fit {
-    frustum<T> camera{};                          ///< that the map is for
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    std::optional<hull> receivers{};              ///< required: what the camera sees of the scene; where that is
-                                                  ///< nothing, the camera's frustum stands for it
-    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
-    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
-                                                  ///< map, 0 to 1000
-    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
+    frustum<T> camera{};                          ///< camera that the map is for
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< direction the light travels; any length > 0
+    std::optional<hull> receivers{};              ///< required: the part of the scene that the camera sees. If it is
+                                                  ///< empty, the camera's frustum replaces it
+    std::optional<bounding_box<T>> casters{};     ///< if missing: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);  ///< border on every side, as a fraction of the receivers' extent in the
+                         ///< map, 0 to 1000
+    clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
 template <real T>
 struct warped_light {
-    light_space<T> light;  ///< for depth pass and texture_matrix; w is 1 at the least receiver
-    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped. Says
-                           ///< nothing of quality: see choose_light
+    light_space<T> light;  ///< light for the depth pass and texture_matrix; the smallest w of the receivers is 1
+    T strength = T(0);     ///< 1 - smallest w / largest w of the receivers: 0 uniform, towards 1 more warped. It does
+                           ///< not measure quality: see choose_light
 };
 
 namespace detail {
 
-/// A fit that has what all warps need, or a complaint; `instead` stands for receivers that are none.
+/// Fit checked for the needs of all warps. `instead` replaces receivers without points.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(warp_fit<T> fit, const hull& instead, const char* function) {
     require_given(fit.clip, function);
     if (given(fit.receivers, function).points.empty()) fit.receivers = instead;
-    // beyond that float has no digits left for the receivers, and rows of the matrix become multiples of w's
+    // beyond 1000 float has no digits left for the receivers, and the matrix' rows become multiples of the row of w
     require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin", "from 0 to 1000",
             fit.margin);
     if (fit.casters) require_box(*fit.casters, function, "casters");
     return fit;
 }
 
-/// Falls back to the camera's frustum where the camera sees nothing of the scene.
+/// Fit with a fallback: if the camera sees nothing of the scene, it takes the camera's frustum.
 template <real T>
 [[nodiscard]] warp_fit<T> completed(const warp_fit<T>& fit, const char* function) {
     require_frustum(fit.camera, function, "camera");
     return completed(fit, fit.camera, function);
 }
 
-/// The way y goes in a map: the way the camera looks, or the camera's up where the sine between its view and the light
-/// is below 1e-3. Maps are not warped there, but turn at once as the sine passes 1e-3: their texels then shimmer.
+/// Direction of y in a map: the camera's view direction, or its up axis if the sine between view and light is below
+/// 1e-3. Maps are not warped there, but they rotate at once as the sine passes 1e-3, and texels shimmer.
 template <real T>
 [[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit, const char* function) {
     const glm::dmat3 camera = axes(fit.camera, function, "camera");
@@ -89,15 +89,15 @@ template <real T>
     return camera[along ? 1 : 2];
 }
 
-/// The light's view that maps are drawn in.
+/// View of the light that maps are drawn in.
 template <real T>
 [[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
     return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit, function), fit.clip.hand, function, "");
 }
 
-/// Least and greatest depth in a map of a body within planes of the map's space.
-/// @return   highest and -highest where there is none of it; -highest and highest, around which no map can be laid,
-///           where some of it does not lie in front of w = 0
+/// Smallest and largest depth in a map of the part of a body within planes of the map's space.
+/// @return   highest and -highest if no part lies within. -highest and highest, which no map can hold, if some of it
+///           does not lie in front of w = 0
 template <class = on_use>
 [[nodiscard]] glm::dvec2 depths_within(const glm::dmat4& to_map, const polyhedron& body,
                                        std::vector<glm::dvec4> planes) {
@@ -115,11 +115,11 @@ template <class = on_use>
     return {least, greatest};
 }
 
-/// A projective map of which a box becomes the clip space's cube; turned over where it would mirror what it sees.
-/// @param to_map           world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth
-///                         z / w grows; of any scale
-/// @param least, greatest  w of receivers
-/// @return                 nothing where the box has no extent or an infinite one, and where the map overflows
+/// Light of a projective map that sends a box to clip space's cube. It is flipped if it would mirror.
+/// @param to_map           matrix from the world to x, y, depth and w, in double, of any scale. Along the
+///                         light x / w and y / w are constant, and depth z / w grows
+/// @param least, greatest  smallest and largest w of receivers
+/// @return                 nothing if the box has no extent or an infinite one, or if the map overflows
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
                                                   double greatest, const warp_fit<T>& fit, const char* function) {
@@ -135,16 +135,16 @@ template <real T>
     const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
     if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
     const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
-    const T bend = glm::length(glm::vec<3, T>(rows[3]));  // a row that says w alone is one too
+    const T bend = glm::length(glm::vec<3, T>(rows[3]));  // a row with w alone counts too
     for (glm::length_t i = 0; i < 3; ++i)
         if (!is_normal(glm::length(glm::vec<3, T>(rows[i])) + bend)) return {};
     return warped_light<T>{light, T(1.0 - least / greatest)};
 }
 
-/// A map laid around the receivers in x and y, in depth around them and what of the casters they sweep towards the
-/// light.
+/// Light of a map that is fitted to the receivers in x and y. Its depth also includes the casters in the receivers'
+/// sweep towards the light.
 /// @param to_map   as for laid
-/// @return         nothing where w <= 0 at a receiver or a caster, and as laid does
+/// @return         nothing if w <= 0 at a receiver or a caster, or if laid returns nothing
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
                                                    const polyhedron& casters, const char* function) {
@@ -158,9 +158,9 @@ template <real T>
     }
     extent box = extent_of(receivers);
     const glm::dvec3 size = box.high - box.low;
-    constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
+    constexpr double flat = 0x1p-8;  // receivers seen edge-on need some margin too
     const glm::dvec2 around = double(fit.margin) * greater(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
-    // the hull's cone over the map, of which the other half, behind w = 0, is no part
+    // the hull's cone over the map; its other half behind w = 0 does not count
     const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, greater(around.x, around.y)));
     box.low.z = lesser(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
@@ -174,7 +174,7 @@ template <real T>
     return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
 }
 
-/// Refuses receivers, casters and margin that give a map too large or too small for the numbers.
+/// Reports receivers, casters and margin that give a map too large or too small for the number type.
 template <real T>
 [[noreturn]] void refuse_size(const warp_fit<T>& fit, const char* function) {
     const extent box = extent_of(corners_of(*fit.receivers));
@@ -182,7 +182,7 @@ template <real T>
            box.high - box.low, "That is the receivers' extent.");
 }
 
-/// No warp: the map as fit_directional_light lays it, but with the margin and the way up of warps.
+/// Light without a warp: the map of fit_directional_light, but with the margin and up axis of warps.
 template <real T>
 [[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
     const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
