@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which pages of a light's root square a view needs, so that shadows are as fine as the screen, and which of an
-// atlas' slots hold them: pages stay where they are from frame to frame, those least recently needed are given up.
+// Pages of a virtual shadow map (adaptive shadow map), for shadows as fine as the screen.
+// A cache finds the pages that a view needs, and assigns them to slots of an atlas. Pages keep their slots from frame
+// to frame. The least recently needed ones are evicted.
 //
 //     umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = 10});
 //     for (;;) {  // receivers: umbrage::page_receiver{coordinate in the root, longest_extent in a map of one page}
@@ -9,6 +10,7 @@
 //         umbrage::draw_pages(atlas, layout, root, update.drawn, draw);  // see images/page_atlas.hpp
 //     }
 //
+// Also called: virtual shadow maps, adaptive shadow maps (ASM). See also: page_table.hpp, root.hpp.
 #pragma once
 
 #include <algorithm>
@@ -30,30 +32,30 @@
 
 namespace umbrage {
 
-/// A square of the root, whose side is the root's over 2^level: the x-th from the left, the y-th from the first row.
+/// Square part of the root. Its side is the root's over 2^level. x counts from the left, and y from the first row.
 struct page {
     int level = 0, x = 0, y = 0;
 
-    friend auto operator<=>(const page&, const page&) = default;  ///< coarse ones first
+    friend auto operator<=>(const page&, const page&) = default;  ///< coarse pages first
 };
 
-/// The page of a level that holds a point.
-/// @param coord   1 .. 2 across the root, 2 not included
+/// Page of a level that holds a point.
+/// @param coord   position, 1 to 2 across the root, without 2
 template <class = detail::on_use>
 [[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
     const double across = std::ldexp(1.0, level);
     return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
 }
 
-/// A point that the view sees.
+/// Point that the view sees.
 struct page_receiver {
-    glm::vec2 coord{1};   ///< 1 .. 2 across the root
-    float extent = 0.0f;  ///< longest_extent of a texel of the coarsest page, pixels
+    glm::vec2 coord{1};   ///< position, 1 to 2 across the root
+    float extent = 0.0f;  ///< longest_extent of a texel of the coarsest page, in pixels
 };
 
 namespace detail {
 
-/// The least level in which no texel's longer axis covers more pixels than wanted; -1 of receivers that want none.
+/// Lowest level whose texels cover at most `target` pixels along their longer axis. -1 for receivers that need no page.
 template <class = on_use>
 [[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
     const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
@@ -61,12 +63,12 @@ template <class = on_use>
     return static_cast<int>(detail::limited(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
 }
 
-/// To pages in the making, where it is not the last already.
+/// Adds a page to a list, unless it is already the last one there.
 template <class = on_use>
 inline void add(const page& p, std::vector<page>& pages) {
     if (pages.empty() || p != pages.back()) pages.push_back(p);
 }
-/// Each once, coarse ones first.
+/// Sorts pages, coarse ones first, and removes duplicates.
 template <class = on_use>
 void tidy(std::vector<page>& pages) {
     std::sort(pages.begin(), pages.end());
@@ -75,11 +77,12 @@ void tidy(std::vector<page>& pages) {
 
 }  // namespace detail
 
-/// The pages of the least level in which no texel's longer axis covers more pixels than wanted.
-/// @param receivers       those beside the root, and of an extent that is not finite or not above 0, want none
-/// @param target          pixels, > 0
-/// @param deepest_level   0 .. 15, whatever that leaves
-/// @return                each once, coarse ones first
+/// Pages of the lowest level whose texels cover at most `target` pixels along their longer axis.
+/// @param receivers       points that the view sees
+/// @param target          pixels per texel, > 0
+/// @param deepest_level   highest level, 0 to 15. It applies even if texels then cover more pixels
+/// @return                each page once, coarse ones first
+/// @edge                  receivers outside the root, or with an extent that is not finite or not above 0: no page
 /// @formula               level = ceil(log2(extent / target))
 /// @throws std::invalid_argument  target or deepest_level out of range
 template <class = detail::on_use>
@@ -99,34 +102,33 @@ template <class = detail::on_use>
     return pages;
 }
 
-/// What a cache is made for.
+/// Limits of a page cache.
 struct page_budget {
-    glm::ivec2 slots{16};    ///< columns and rows of pages that the atlas has, each 1 .. 256
-    int deepest_level = 10;  ///< 0 .. 15: of the finest pages; a table has 2^deepest_level texels a side
+    glm::ivec2 slots{16};    ///< columns and rows of pages in the atlas, each 1 to 256
+    int deepest_level = 10;  ///< level of the finest pages, 0 to 15. A table has 2^deepest_level texels per side
     double target = 1.0;     ///< pixels that a texel may cover, > 0
 };
 
-/// A page and where the atlas holds it.
+/// Page and its slot in the atlas.
 struct placed_page {
     umbrage::page page;
     glm::ivec2 slot;
 };
 
-/// What has changed from one view to the next.
+/// Changes of a page cache from one view to the next.
 struct page_update {
-    std::vector<placed_page> drawn{};  ///< pages that are to be drawn, coarse ones first
-    double target = 0.0;               ///< pixels that a texel covers at most: the budget's target, or more
-    std::size_t kept = 0;              ///< pages needed that were there
-    std::size_t given_up = 0;          ///< pages that others took the place of,
-    std::size_t forced = 0;            ///< and of these such as the view needs for the budget's target: shadows pop
+    std::vector<placed_page> drawn{};  ///< pages to draw, coarse ones first
+    double target = 0.0;               ///< largest number of pixels per texel: the budget's target, or more
+    std::size_t kept = 0;              ///< needed pages that were already there
+    std::size_t given_up = 0;          ///< pages evicted for others
+    std::size_t forced = 0;            ///< evicted pages that the view needs for the budget's target: shadows pop
 };
 
-/// Pages that stay in their slots as long as nothing finer, nearer or newer wants these.
+/// Cache of pages, which keep their slots until other pages need them.
 ///
-/// The root's own page is always there, so that there is shadow everywhere in it; where the view needs no finer pages
-/// any more, those that are left serve until others need their slots. Where the wanted pages are more than the slots,
-/// the target is raised by steps of a sixteenth of an octave until they fit; it comes down again when as many as seven
-/// eighths of the slots suffice, so that it does not swing.
+/// The root's own page is always there, so that the whole root has shadows. Pages that the view no longer needs serve
+/// until others take their slots. If the view needs more pages than there are slots, the target rises in steps of 1/16
+/// octave until they fit. It falls again when 7/8 of the slots suffice, which prevents oscillation.
 /// @cite   Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
 class page_cache {
 public:
@@ -145,7 +147,7 @@ public:
             for (int x = budget.slots.x; x-- > 0;) free_.push_back({x, y});
     }
 
-    /// Takes in what a view sees.
+    /// Updates the cache for the points that a view sees.
     template <class = detail::on_use>
     page_update update(std::span<const page_receiver> receivers) {
         ++now_;
@@ -172,7 +174,7 @@ public:
         return result;
     }
 
-    /// All that must be drawn anew: casters or the light have moved.
+    /// Drops all pages, so that they are drawn again. Call it when casters or the light have moved.
     template <class = detail::on_use>
     void forget() {
         for (const held& h : resident_) free_.push_back(h.slot);
@@ -182,14 +184,14 @@ public:
     [[nodiscard]] const page_budget& budget() const { return budget_; }
     [[nodiscard]] std::size_t size() const { return resident_.size(); }
 
-    /// Calls use(page, slot) for every page that is there, coarse ones first.
+    /// Calls use(page, slot) for every page in the cache, coarse ones first.
     template <class Use>
     void for_each(Use&& use) const {
         for (const held& h : resident_) use(h.page, h.slot);
     }
 
-    /// The level of the finest page that holds a point; -1 where there is none.
-    /// @param coord   1 .. 2 across the root, 2 not included
+    /// Level of the finest page that holds a point, or -1 if there is none.
+    /// @param coord   position, 1 to 2 across the root, without 2
     template <class = detail::on_use>
     [[nodiscard]] int level_at(glm::dvec2 coord) const {
         int level = budget_.deepest_level;
@@ -201,14 +203,14 @@ private:
     struct held {
         umbrage::page page;
         glm::ivec2 slot;
-        std::uint64_t needed;  ///< in which update last
+        std::uint64_t needed;  ///< number of the last update that needed it
     };
 
     [[nodiscard]] std::size_t slots() const {
         return static_cast<std::size_t>(budget_.slots.x) * static_cast<std::size_t>(budget_.slots.y);
     }
 
-    /// nullptr: the page is not there.
+    /// Pointer to a page in the cache, or nullptr.
     template <class = detail::on_use>
     [[nodiscard]] const held* find(const page& p) const {
         const auto at = std::lower_bound(resident_.begin(), resident_.end(), p,
@@ -216,7 +218,7 @@ private:
         return at != resident_.end() && at->page == p ? &*at : nullptr;
     }
 
-    /// The root and what is wanted besides, with the target moved until it fits.
+    /// Root page and wanted pages, with the target adjusted until they fit.
     template <class = detail::on_use>
     [[nodiscard]] std::vector<page> fitting(std::span<const page_receiver> receivers) {
         const double step = std::exp2(1.0 / 16.0);
@@ -237,8 +239,8 @@ private:
         return pages;
     }
 
-    /// Frees slots: of the pages not needed now the least recently needed, of these the finest.
-    /// @return   the pages, in their order
+    /// Frees slots. Among the pages not needed now it evicts the least recently needed, and of these the finest.
+    /// @return   evicted pages, coarse ones first
     template <class = detail::on_use>
     std::vector<page> give_up(std::size_t count) {
         std::vector<page> pages;
@@ -255,7 +257,7 @@ private:
         return pages;
     }
 
-    /// How many of the pages given up some receiver looked into that the budget's target would have it look into still.
+    /// Number of evicted pages that a receiver used, and would still use at the budget's target.
     template <class = detail::on_use>
     [[nodiscard]] std::size_t popped(std::span<const page_receiver> receivers,
                                      const std::vector<page>& given_up) const {

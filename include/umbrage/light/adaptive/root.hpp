@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The square of the world that the pages of an adaptive map lie in, as a directional light sees it: it stays where it
-// is while the camera moves, and so does every page in it.
+// Root of a virtual shadow map: the square of the world that contains all pages, as a directional light sees it.
+// The square and its pages stay in place while the camera moves.
 //
 //     auto root = umbrage::make_page_root<double>(
 //         {.direction = d, .center = {0, 0, 0}, .side = 2400, .scene = box, .clip = clip});
 //     auto light = umbrage::page_light(root, {.level = 5, .x = 12, .y = 9}, {});  // for the depth pass of that page
 //     glm::mat4 to_root(umbrage::page_matrix(root));                              // for page_coordinate
 //
+// See also: pages.hpp, page_table.hpp.
 #pragma once
 
 #include <cmath>
@@ -25,24 +26,25 @@ namespace umbrage {
 
 template <real T = float>
 struct page_root {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< hint; of the world, as pages turn with it
-    glm::vec<3, T> center{T(0)};                   ///< of the square, world
-    T side = T(1000);                              ///< world units, > 0
-    bounding_box<T> scene = detail::unset_box<T>;  ///< required: all casters and receivers, what depth spans
-    clip_space clip{};                             ///< required: your API's or engine's, see clip_space.hpp
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< direction the light travels; any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};           ///< up axis of the pages; keep it constant, pages rotate with it
+    glm::vec<3, T> center{T(0)};                   ///< center of the square, world
+    T side = T(1000);                              ///< side of the square, world units, > 0
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: bounds of all casters and receivers
+    clip_space clip{};                             ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
-/// Side of pages in an atlas.
+/// Size of the pages in an atlas.
 struct page_size {
-    int texels = 128;  ///< a power of two
-    int gutter = 4;    ///< around them, 0 .. texels / 2: the filter's reach and half a texel, or more
+    int texels = 128;  ///< side of a page, a power of two
+    int gutter = 4;    ///< border around a page, 0 to texels / 2: the filter's reach and half a texel, or more
 
     [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
 };
 
-/// @throws std::invalid_argument  zero or non-finite direction, center or scene that are not finite, a side not above
-///                                0, and what gives matrices that are not finite
+/// Light space of the whole root.
+/// @throws std::invalid_argument  zero or non-finite direction; center or scene missing or not finite; a side not above
+///                                0; clip unset; matrices that would not be finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
     constexpr auto function = "make_page_root";
@@ -58,14 +60,14 @@ template <real T = float>
     const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
     const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.center), 1)), half(double(root.side) / 2);
     const double spare =
-        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // nothing lies on a plane
+        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // so that nothing lies on a plane
     light.projection = detail::orthographic(middle - half, middle + half, depths.low.z - spare, depths.high.z + spare,
                                             root.clip, function, "center and side", "scene");
     const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), root.clip};
     return detail::checked(cast, function, "center, side and scene");
 }
 
-/// World to the root's coordinates, 1 .. 2, and depth.
+/// Matrix from the world to the root's coordinates, 1 to 2, and depth.
 /// @formula   texture_matrix of a map of one texel, moved by 1
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> page_matrix(const light_space<T>& root) {
@@ -74,8 +76,8 @@ template <real T>
     return m;
 }
 
-/// One page of it, with its gutter: what a depth pass of pitch() x pitch() texels is drawn with.
-/// @throws std::invalid_argument  a page that is not in the root, texels no power of two, gutter out of range
+/// Light space of one page with its gutter, for a depth pass of pitch() x pitch() texels.
+/// @throws std::invalid_argument  a page outside the root; texels not a power of two; gutter out of range
 template <real T>
 [[nodiscard]] light_space<T> page_light(const light_space<T>& root, const page& p, const page_size& size) {
     constexpr auto function = "page_light";
