@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A texture of a cube in the place of an atlas of its faces: which texel of which face an atlas' texel is, and the
-// direction that reads it. What filters over an atlas are bound to cubes with, see texture::cube_faces of bind.hpp.
+// Cube textures in place of an atlas of six faces: the face and texel of an atlas texel, and the direction that reads
+// it. Filters for an atlas use this on cubes: see texture::cube_faces in bind.hpp.
 //
 //     glm::vec3 direction = umbrage::cube_atlas_direction(texel, size);  // what a samplerCube takes
 //
@@ -16,20 +16,21 @@
 
 namespace umbrage {
 
-/// The face that a texel of an atlas belongs to, and where on it.
-/// @param texel   of 3 x 2 tiles as cube_tile has them, whole numbers;   size  of a tile, in texels, below 2^15
-/// @return        (s, t, face), whole numbers
-/// @exactness     A: whole numbers
+/// Face of an atlas texel, and the texel's position on it.
+/// @param texel   texel in 3 x 2 tiles, as cube_tile places them, integers
+/// @param size    size of a tile, in texels, below 2^15
+/// @return        (s, t, face), integers
+/// @exactness     A: integers
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_atlas_texel(glm::vec<2, T> texel, T size) {
     const T column = texel.x < size ? T(0) : (texel.x < size * T(2) ? T(1) : T(2)), row = T(texel.y < size ? 0 : 1);
     return {texel.x - column * size, texel.y - row * size, column + row * T(3)};
 }
 
-/// The direction from a cube's middle to the middle of that texel.
+/// Direction from the cube's center to the center of an atlas texel.
 /// @param texel, size   as for cube_atlas_texel
-/// @return              in half texels: its greatest component is size or -size
-/// @exactness           A: whole numbers; fast mathematics may change a zero's sign
+/// @return              direction in half texels: its largest component is size or -size
+/// @exactness           A: integers. -ffast-math may change a zero's sign
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_atlas_direction(glm::vec<2, T> texel, T size) {
     const glm::vec<3, T> part = cube_atlas_texel(texel, size);
@@ -40,10 +41,10 @@ namespace glsl {
 
 inline constexpr snippet cube_atlas_texel{
     .name = "cube_atlas_texel",
-    .summary = "face that a texel of an atlas belongs to, and where on it",
+    .summary = "face of an atlas texel, and the position on it",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
+// umbrage_cube_atlas_texel: (s, t, face) of a texel in an atlas of 3 x 2 tiles of size texels; integers
 UMBRAGE_HIGHP vec3 umbrage_cube_atlas_texel(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP float column = texel.x < size ? 0.0 : (texel.x < size * 2.0 ? 1.0 : 2.0);
     UMBRAGE_HIGHP float row = texel.y < size ? 0.0 : 1.0;
@@ -54,11 +55,11 @@ UMBRAGE_HIGHP vec3 umbrage_cube_atlas_texel(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HI
 
 inline constexpr snippet cube_atlas_direction{
     .name = "cube_atlas_direction",
-    .summary = "direction that reads an atlas' texel from a texture of a cube",
+    .summary = "direction that reads an atlas texel from a cube texture",
     .exactness = tier::a,
     .needs = list<&cube_atlas_texel, &cube_point>,
     .source = R"GLSL(
-// umbrage_cube_atlas_direction: from a cube's middle to that of a texel of an atlas of 3 x 2 tiles of size texels
+// umbrage_cube_atlas_direction: direction from a cube's center to an atlas texel, for 3 x 2 tiles of size texels
 UMBRAGE_HIGHP vec3 umbrage_cube_atlas_direction(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP vec3 part = umbrage_cube_atlas_texel(texel, size);
     UMBRAGE_HIGHP vec2 uv = vec2(part.x, part.y) * 2.0 + (1.0 - size);

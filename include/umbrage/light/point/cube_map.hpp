@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
-// six tiles of an atlas.
+// Cube shadow maps: six square maps around a point light, as the faces of a cube texture or as six tiles of an atlas.
 //
 //     glm::vec3 at = umbrage::cube_coordinate(world - light);                      // (s, t, face)
 //     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
 //
+// Also called: omnidirectional shadow maps, point light shadows. See also: point_light.hpp for the six light spaces.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@
 
 namespace umbrage {
 
-/// Which way a face's camera looks and what is up for it, NDC y = -1 in its first row.
+/// View direction and up axis of a face's camera, for an NDC with y = -1 in the first row.
 struct cube_axes {
     glm::ivec3 forward, up;
 };
 
-/// Faces in the order of their numbers: +x, -x, +y, -y, +z, -z. A right-handed view along them with 90 degrees each way
-/// has its NDC x and y where cube_coordinate has 2 s - 1 and 2 t - 1.
+/// Faces by index: +x, -x, +y, -y, +z, -z. A right-handed view of 90 degrees along a face has NDC x of 2 s - 1 and
+/// NDC y of 2 t - 1, see cube_coordinate.
 /// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
 inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
                                                   {{-1, 0, 0}, {0, -1, 0}},
@@ -35,9 +35,9 @@ inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
                                                   {{0, 0, 1}, {0, -1, 0}},
                                                   {{0, 0, -1}, {0, -1, 0}}}};
 
-/// The face that a direction from the cube's middle meets.
-/// @param direction   of any length; where two faces meet, x goes before y and y before z
-/// @return            0 .. 5; where a NaN leaves no greatest component, 4 or 5
+/// Face that a direction from the cube's center meets.
+/// @param direction   any length. On edges and corners x goes before y, and y before z
+/// @return            0 to 5; 4 or 5 if a NaN leaves no largest component
 /// @exactness         A: comparisons
 template <real T>
 [[nodiscard]] constexpr int cube_face(glm::vec<3, T> direction) {
@@ -49,8 +49,8 @@ template <real T>
     return 2 * axis + (!is_nan(along) && along < T(0) ? 1 : 0);
 }
 
-/// Distance to a direction's end along the axis of the face that it meets: what per-face depths are made of.
-/// @return            the greatest component's magnitude
+/// Distance to a direction's end along its face's axis, the input of per-face depths.
+/// @return            magnitude of the largest component
 /// @exactness         A: selects
 template <real T>
 [[nodiscard]] constexpr T cube_view_z(glm::vec<3, T> direction) {
@@ -59,8 +59,8 @@ template <real T>
     return face % 2 ? -m : m;
 }
 
-/// A direction in its face's axes.
-/// @return            (sc, tc, face): to the sides of cube_view_z
+/// Direction in the axes of its face.
+/// @return            (sc, tc, face): components across the face's axis
 /// @exactness         A: selects
 /// @cite              OpenGL 4.6 specification, table 8.19
 template <real T>
@@ -71,8 +71,9 @@ template <real T>
     return {sc, axis == 1 ? direction.z * flip : -direction.y, T(face)};
 }
 
-/// A point from a face's axes: cube_plane's inverse.
-/// @param face   0 .. 5;   p  (sc, tc, cube_view_z)
+/// Point from its coordinates in a face's axes, the inverse of cube_plane.
+/// @param face   0 to 5
+/// @param p      (sc, tc, cube_view_z)
 /// @exactness    A: selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_point(T face, glm::vec<3, T> p) {
@@ -84,8 +85,9 @@ template <real T>
     return {-p.x, -p.y, -p.z};
 }
 
-/// A point or a vector in a face's axes: cube_point's inverse.
-/// @param face   0 .. 5;   p  from the cube's middle
+/// Point or vector in a face's axes, the inverse of cube_point.
+/// @param face   0 to 5
+/// @param p      point or vector from the cube's center
 /// @return       (sc, tc, distance along the face's axis)
 /// @exactness    A: selects
 template <real T>
@@ -98,10 +100,10 @@ template <real T>
     return {-p.x, -p.y, -p.z};
 }
 
-/// Where on its face a direction meets the cube.
-/// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
-/// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
-/// @formula           s = (sc + m) / 2m, t = (tc + m) / 2m, of cube_plane and m = cube_view_z
+/// Position on its face where a direction meets the cube.
+/// @param direction   any length. Zero and NaN give NaN coordinates, which every filter takes as lit
+/// @return            (s, t, face): s and t from 0 to 1 over the face; times the face's size, a filter's coordinate
+/// @formula           s = (sc + m) / 2m, t = (tc + m) / 2m, with cube_plane's sc and tc and m = cube_view_z
 /// @exactness         C, n = 5: divisions
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
@@ -110,22 +112,23 @@ template <real T>
     return {(p.x + m) / (m + m), (p.y + m) / (m + m), p.z};
 }
 
-/// The direction to a point of a face: cube_coordinate's inverse.
-/// @param face   0 .. 5;   st  from 0 to 1 over the face
-/// @return       its greatest component is 1 or -1
+/// Direction to a point of a face, the inverse of cube_coordinate.
+/// @param face   0 to 5
+/// @param st     position from 0 to 1 over the face
+/// @return       direction whose largest component is 1 or -1
 /// @exactness    B, n = 2, S = 2 st + 1: 2 s - 1 rounds once
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
     return cube_point(face, glm::vec<3, T>(st.x * T(2) - T(1), st.y * T(2) - T(1), T(1)));
 }
 
-/// The texel beyond a face's edge, which is the next face's in its first or last row or column.
-/// @param texel   (s, t, face), whole numbers: inside a face, or beyond one of its edges
-/// @param size    of a face, in texels, below 2^15
-/// @return        (s, t, face) of a texel inside; itself where it is; face -1 beyond a corner, where there is none
-/// @formula       beyond an edge the point (sc, tc, size), in half texels, moves to (sc, tc, size - 1), where |sc| or
-///                |tc| is the greatest: along the next face's axis
-/// @exactness     A: whole numbers
+/// Texel beyond a face's edge: it lies in the first or last row or column of the next face.
+/// @param texel   (s, t, face), integers: inside a face, or beyond one of its edges
+/// @param size    size of a face, in texels, below 2^15
+/// @return        (s, t, face) of a texel inside; face -1 beyond a corner, where there is no texel
+/// @formula       beyond an edge the point (sc, tc, size), in half texels, moves to (sc, tc, size - 1). There |sc| or
+///                |tc| is the largest: it lies along the next face's axis
+/// @exactness     A: integers
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_neighbor(glm::vec<3, T> texel, T size) {
     const T u = texel.x * T(2) + T(1) - size, v = texel.y * T(2) + T(1) - size;
@@ -137,8 +140,9 @@ template <real T>
     return {(p.x + size - T(1)) * T(0.5), (p.y + size - T(1)) * T(0.5), p.z};
 }
 
-/// First texel of a face in an atlas of 3 x 2 tiles: +x, -x, +y in the first row.
-/// @param face   0 .. 5;   size  of a tile, in texels
+/// First texel of a face in an atlas of 3 x 2 tiles, with +x, -x, +y in the first row.
+/// @param face   0 to 5
+/// @param size   size of a tile, in texels
 /// @exactness    A
 [[nodiscard]] inline glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
 
@@ -149,13 +153,13 @@ inline constexpr snippet cube_face{
     .summary = "face of a cube that a direction meets",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_HIGHP vec3 m = abs(direction);
     UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
     UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
     UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
-    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
     return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
 }
 )GLSL",
@@ -163,11 +167,11 @@ UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
 
 inline constexpr snippet cube_view_z{
     .name = "cube_view_z",
-    .summary = "distance along the axis of the face that a direction meets",
+    .summary = "distance along the axis of a direction's face",
     .exactness = tier::a,
     .needs = list<&cube_face>,
     .source = R"GLSL(
-// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+// umbrage_cube_view_z: magnitude of the largest component, the input of per-face depths
 UMBRAGE_HIGHP float umbrage_cube_view_z(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
     UMBRAGE_HIGHP float side = face < 1.5 ? direction.x : direction.y;
@@ -178,11 +182,11 @@ UMBRAGE_HIGHP float umbrage_cube_view_z(UMBRAGE_HIGHP vec3 direction) {
 
 inline constexpr snippet cube_plane{
     .name = "cube_plane",
-    .summary = "a direction in its face's axes",
+    .summary = "direction in the axes of its face",
     .exactness = tier::a,
     .needs = list<&cube_face>,
     .source = R"GLSL(
-// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components across the axis of its face
 UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
     UMBRAGE_HIGHP vec3 x = vec3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
@@ -195,10 +199,10 @@ UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
 
 inline constexpr snippet cube_point{
     .name = "cube_point",
-    .summary = "a point from a face's axes",
+    .summary = "point from a face's axes",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
 UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
     UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(p.z, -p.y, -p.x) : vec3(-p.z, -p.y, p.x);
     UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
@@ -210,10 +214,10 @@ UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP ve
 
 inline constexpr snippet cube_face_point{
     .name = "cube_face_point",
-    .summary = "a point in a face's axes",
+    .summary = "point in a face's axes",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cube_face_point: (sc, tc, distance along its axis) in a face, 0.0 to 5.0, of a point from the cube's middle
+// umbrage_cube_face_point: (sc, tc, distance along the axis) in a face, 0.0 to 5.0, of a point from the cube's center
 UMBRAGE_HIGHP vec3 umbrage_cube_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
     UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(-p.z, -p.y, p.x) : vec3(p.z, -p.y, -p.x);
     UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
@@ -225,7 +229,7 @@ UMBRAGE_HIGHP vec3 umbrage_cube_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIG
 
 inline constexpr snippet cube_coordinate{
     .name = "cube_coordinate",
-    .summary = "face, and where on it, that a direction meets",
+    .summary = "face of a direction, and the position on it",
     .exactness = tier::c,
     .operations = 5,
     .needs = list<&cube_view_z, &cube_plane>,
@@ -246,9 +250,9 @@ inline constexpr snippet cube_direction{
     .operations = 2,
     .needs = list<&cube_point>,
     .source = R"GLSL(
-// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+// umbrage_cube_direction: direction from a cube's center to a point of a face, 0.0 to 5.0; st is in [0.0, 1.0]
 UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 uv = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 uv = st * 2.0 - 1.0;  // the product is exact: fused or not, it rounds once
     return umbrage_cube_point(face, vec3(uv, 1.0));
 }
 )GLSL",
@@ -261,7 +265,8 @@ inline constexpr snippet cube_neighbor{
     .needs = list<&cube_plane, &cube_point>,
     .source = R"GLSL(
 // umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
-//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+//   texel  (s, t, face), integers
+//   size   size of a face, in texels
 UMBRAGE_HIGHP vec3 umbrage_cube_neighbor(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = abs(uv.x) > size;

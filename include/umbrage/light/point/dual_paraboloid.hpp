@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Two square maps around a point light, a paraboloid's image of either half of all directions in each. Shadows go by
-// distance, and straight edges become arcs: draw a mesh that tessellate has cut.
+// Dual paraboloid shadow maps: two square maps around a point light, each a paraboloid's image of half of all
+// directions. Depth is the distance from the light. Straight edges become arcs, so draw a mesh cut by tessellate.
 //
 //     auto light = umbrage::make_dual_paraboloid_light<float>({.position = p, .range = 30, .border = 2, .clip = clip});
 //     auto cut = umbrage::tessellate(mesh, {p, umbrage::paraboloid_edge_angle(512, 2), 30});
@@ -11,13 +11,14 @@
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;    // in maps[int(at.z)]
 //     float depth = umbrage::distance_depth(world - p, 1.0f / 30.0f);
 //
-// A vertex shader's gl_Position is projection * umbrage_dual_paraboloid_position(world - p, map), of the mesh as it is
-// cut. What is behind the map needs a clip distance: position.w - 0.1 * distance, say.
+// In a vertex shader set gl_Position to projection * umbrage_dual_paraboloid_position(world - p, map), for the cut
+// mesh. Vertices behind the map need a clip distance, such as position.w - 0.1 * distance.
 //
-// plane_slope does not hold for distances: bias/distance_slope.hpp has their slope, and what tessellation adds to a
-// reach.
+// plane_slope does not hold for distances. bias/distance_slope.hpp has their slope, and the reach that tessellation
+// adds.
 //
-// A border of texels sees past the half: filters then need no other map, as in point_light.hpp.
+// A border of texels extends each map beyond its half, so that filters need no other map: see point_light.hpp.
+// Also called: paraboloid shadow maps, DPSM. See also: cube_map.hpp, tetrahedron.hpp.
 #pragma once
 
 #include <cmath>
@@ -36,19 +37,21 @@ namespace umbrage {
 template <real T = float>
 struct dual_paraboloid_light {
     glm::vec<3, T> position{T(0)};
-    T range = T(100);    ///< > 0, world units: distances from the light that have a depth
-    int map_size = 512;  ///< of either map, in texels, >= 16
-    int border = 0;      ///< texels around the half's circle, within map_size, at most an eighth of it
-    clip_space clip{};   ///< required: your API's or engine's, see clip_space.hpp
+    T range = T(100);    ///< largest distance from the light with a depth, world units, > 0
+    int map_size = 512;  ///< size of each map, in texels, >= 16
+    int border = 0;      ///< texels around the half's circle, inside map_size, at most 1/8 of it
+    clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
-/// Where in its map a direction is seen: the first holds +z, the other -z, each the way round that a right-handed view
-/// along it with y up shows. Beyond its circle a map goes on in the other one, at 1 - s and the same t.
-/// @param direction   of any length of 1e-18 to 1e18; zero and NaN give coordinates that are NaN, which every filter
-///                    takes as lit
-/// @return            (s, t, map): s and t from 0 to 1 over the map's square, within its circle; map 0 or 1
-/// @formula           s = 1/2 + -x / 2 (|p| + |z|), for z < 0 with x, t = 1/2 + y / 2 (|p| + |z|): a texel is as wide
-///                    as it is high, 2 (1 + |z| / |p|) / map_size radians, in the middle twice of what it is at the rim
+/// Map that sees a direction, and the position in it.
+///
+/// Map 0 holds +z, and map 1 holds -z. Each is oriented as a right-handed view along that axis with y up. Beyond its
+/// circle a map continues in the other one, at 1 - s and the same t.
+/// @param direction   vector from the light, of length 1e-18 to 1e18
+/// @return            (s, t, map): s and t from 0 to 1 over the map's square, inside its circle; map 0 or 1
+/// @edge              zero or NaN: NaN coordinates, which every filter takes as lit
+/// @formula           s = 1/2 + -x / 2 (|p| + |z|), for z < 0 with x, t = 1/2 + y / 2 (|p| + |z|). A texel is as wide
+///                    as it is high: 2 (1 + |z| / |p|) / map_size radians, at the center twice its size at the rim
 /// @exactness         C, n = 32: a square root and divisions
 /// @cite              Brabec, Annen, Seidel: Shadow Mapping for Hemispherical and Omnidirectional Light Sources, 2002
 template <real T>
@@ -59,12 +62,12 @@ template <real T>
     return {((behind ? direction.x : -direction.x) + m) / (m + m), (direction.y + m) / (m + m), T(behind ? 1 : 0)};
 }
 
-/// A vertex of the depth pass, before the projection of make_dual_paraboloid_light.
-/// @param direction   from the light to the vertex
-/// @param map         0 or 1
-/// @return            (x w, y w, distance w, w): x and y from -1 to 1 in the map's half, farther out beyond it; w is 0
-///                    in the middle of the other half, and never below
-/// @formula           w = |p| + z, of map 1 |p| - z
+/// Position of a vertex in the depth pass, before the projection of make_dual_paraboloid_light.
+/// @param direction   vector from the light to the vertex
+/// @param map         index of the map, 0 or 1
+/// @return            (x w, y w, distance w, w). x and y are from -1 to 1 in the map's half, and larger beyond it. w is
+///                    never below 0, and is 0 at the center of the other half
+/// @formula           w = |p| + z, for map 1 |p| - z
 /// @exactness         C, n = 18: a square root. S of w = |p| + |z|, of z that times |p|; x and y are exact
 template <real T>
 [[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
@@ -74,10 +77,13 @@ template <real T>
     return {behind ? direction.x : -direction.x, direction.y, length * w, w};
 }
 
-/// What both maps' depth passes share: a translation to the light, and the projection for dual_paraboloid_position,
-/// with the first texel at (0, 0) of dual_paraboloid_coordinate in every convention and depths that are distance_depth,
-/// or 1 less it. Where clip is left-handed or has its first row on top, one of them, the projection is a mirror.
-/// @throws std::invalid_argument  too few texels, too wide a border, and what gives matrices that are not finite
+/// Light space for the depth passes of both maps: a translation to the light, and a projection for
+/// dual_paraboloid_position.
+///
+/// The first texel is at (0, 0) of dual_paraboloid_coordinate in every clip space. Depth is distance_depth, or 1 minus
+/// it. The projection is a mirror if clip is either left-handed or has its first row at the top, but not both.
+/// @throws std::invalid_argument  too few texels; too wide a border; range not above 0; clip unset; matrices that would
+///                                not be finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_dual_paraboloid_light(const dual_paraboloid_light<T>& light) {
     constexpr auto function = "make_dual_paraboloid_light";
@@ -101,12 +107,12 @@ template <real T = float>
     return detail::checked<T>(space, function, "position and range");
 }
 
-/// The angle from end to end, seen from the light, up to which a straight edge is drawn within half a texel of where it
-/// is seen, within the circle and the border.
-/// @param map_size, border   of the light
-/// @return                   radians
-/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n: over the chord of
-///                           an angle a arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, r circles out
+/// Largest angle that a straight edge may have, seen from the light, to be drawn within half a texel of its true place.
+/// It holds inside the circle and the border.
+/// @param map_size, border   values of the light
+/// @return                   angle from end to end, radians
+/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n. Over the chord of
+///                           an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r circles out
 template <real T = float>
 [[nodiscard]] T paraboloid_edge_angle(int map_size, int border = 0) {
     const T inner = T(map_size - 2 * border), rim = T(map_size) / inner;
@@ -117,7 +123,7 @@ namespace glsl {
 
 inline constexpr snippet dual_paraboloid_coordinate{
     .name = "dual_paraboloid_coordinate",
-    .summary = "paraboloid map, and where in it, that sees a direction",
+    .summary = "paraboloid map that sees a direction, and position in it",
     .exactness = tier::c,
     .operations = 32,
     .source = R"GLSL(
@@ -135,12 +141,13 @@ UMBRAGE_HIGHP vec3 umbrage_dual_paraboloid_coordinate(UMBRAGE_HIGHP vec3 directi
 
 inline constexpr snippet dual_paraboloid_position{
     .name = "dual_paraboloid_position",
-    .summary = "a vertex of a paraboloid map's depth pass",
+    .summary = "position of a vertex in a paraboloid map's depth pass",
     .exactness = tier::c,
     .operations = 18,
     .source = R"GLSL(
 // umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
-//   direction  from the light to the vertex;   map  0.0 or 1.0
+//   direction  from the light to the vertex
+//   map        index of the map, 0.0 or 1.0
 UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP float map) {
     bool behind = map > 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float square =

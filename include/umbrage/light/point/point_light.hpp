@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// A point light's six spaces, for a cube texture's faces or an atlas's tiles.
+// Point light: six light spaces, for the faces of a cube texture or the tiles of an atlas.
 //
 //     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2, .clip = clip});
 //     glm::vec3 at = umbrage::cube_coordinate(world - p);
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
 //
-// A border of texels sees past the face's edges: filters then need no other face, and where a shadow passes from one
-// face to the next its edge moves by a texel at most. As many as std::ceil(filter.reach() + 1) will do. Depths are per
-// face, those of a perspective projection at cube_view_z; distances, distance_depth, a depth pass must write.
+// A border extends each map beyond its face, so that filters need no other face. std::ceil(filter.reach() + 1) texels
+// are enough. Between faces the edge of a shadow moves by at most one texel.
+// Depth is that of a perspective projection per face, at cube_view_z. The depth pass must write distances
+// (distance_depth) itself.
+// Also called: omnidirectional shadows. See also: dual_paraboloid.hpp (two maps), tetrahedron_light.hpp (four).
 #pragma once
 
 #include <array>
@@ -23,18 +25,19 @@ namespace umbrage {
 template <real T = float>
 struct point_light {
     glm::vec<3, T> position{T(0)};
-    T z_near = T(0.1);   ///< > 0, world units along each face's axis
-    T z_far = T(100);    ///< > z_near; infinite: no far plane
-    int map_size = 512;  ///< of a face, in texels, > 2 border
-    int border = 0;      ///< texels beyond each edge of the face, within map_size
-    clip_space clip{};   ///< required: your API's or engine's, see clip_space.hpp
+    T z_near = T(0.1);   ///< near plane along each face's axis, world units, > 0
+    T z_far = T(100);    ///< far plane, > z_near; infinite: no far plane
+    int map_size = 512;  ///< size of a face, in texels, > 2 border
+    int border = 0;      ///< texels beyond each edge of the face, inside map_size
+    clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
-/// Views along cube_faces and perspective projections of 90 degrees and the border, whose first texel is (0, 0) of
-/// cube_coordinate in every convention. Where clip is left-handed or has its first row on top, one of them, the
-/// projection is a mirror: front faces go the other way round.
-/// @throws std::invalid_argument  no texels within the border, planes out of order, and what gives matrices that are
-///                                not finite
+/// Light spaces along cube_faces, with perspective projections of 90 degrees plus the border.
+///
+/// The first texel is at (0, 0) of cube_coordinate in every clip space. The projection is a mirror if clip is either
+/// left-handed or has its first row at the top, but not both. Front faces then have the opposite winding.
+/// @throws std::invalid_argument  map_size not above 2 border; planes out of order; clip unset; matrices that would not
+///                                be finite
 template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 6> make_point_light(const point_light<T>& light) {
     constexpr auto function = "make_point_light";

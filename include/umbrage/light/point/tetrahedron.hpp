@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Four triangular maps around a point light, the sides of a square that its diagonals cut: which of them a direction
-// meets, and where. Straight edges stay straight.
+// Tetrahedron shadow map: four triangular maps around a point light, which fill a square cut by its diagonals.
+// The functions give a direction's face, and the position on it. Straight edges stay straight.
 //
 //     glm::vec3 at = umbrage::tetrahedron_coordinate(world - light);  // (s, t, face)
 //     glm::vec2 texel = umbrage::tetrahedron_texel(at, 1024.0f, 2.0f);
 //     float depth = umbrage::depth_from_view_z(umbrage::tetrahedron_view_z(world - light), z_near, z_far);
 //
+// Also called: tetrahedron mapping. See also: tetrahedron_light.hpp for the light spaces; cube_map.hpp.
 #pragma once
 
 #include <cmath>
@@ -19,19 +20,20 @@
 
 namespace umbrage {
 
-/// Which way a face looks: (0, -h, k), (0, -h, -k), (k, h, 0), (-k, h, 0), h = sqrt(1/3), k = sqrt(2/3). Its corners
-/// are where the other three look away from.
-/// @param face   0 .. 3
+/// Normal of a face: (0, -h, k), (0, -h, -k), (k, h, 0), (-k, h, 0), h = sqrt(1/3), k = sqrt(2/3).
+/// The corners of a face lie opposite to the normals of the other three.
+/// @param face   0 to 3
 template <real T>
 [[nodiscard]] glm::vec<3, T> tetrahedron_normal(int face) {
     const T h = std::sqrt(T(1) / T(3)), k = std::sqrt(T(2) / T(3)), side = face % 2 == 0 ? k : -k;
     return face < 2 ? glm::vec<3, T>(T(0), -h, side) : glm::vec<3, T>(side, h, T(0));
 }
 
-/// The face that a direction meets: the one that looks that way most.
-/// @param direction   of any length
-/// @return            0 .. 3; some for NaN
-/// @formula           of the first two where |z| - |x| >= sqrt(2) y, of either two by the sign of z or x
+/// Face that a direction meets: the one whose normal is closest to it.
+/// @param direction   any length
+/// @return            0 to 3
+/// @edge              NaN: some face
+/// @formula           one of the first two if |z| - |x| >= sqrt(2) y, else one of the last two; by the sign of z or x
 /// @exactness         B, n = 1
 /// @cite              Liao: Shadow Mapping for Omnidirectional Light Using Tetrahedron Mapping, GPU Pro, 2010
 template <real T>
@@ -42,8 +44,8 @@ template <real T>
     return below ? (direction.z < T(0) ? 1 : 0) : (direction.x < T(0) ? 3 : 2);
 }
 
-/// A direction in a face's own axes.
-/// @param face   0 .. 3
+/// Direction in a face's own axes.
+/// @param face   0 to 3
 /// @return       (aside, up, away), see tetrahedron_plane
 /// @exactness    A: selects
 template <real T>
@@ -52,16 +54,17 @@ template <real T>
     return face == 2 ? glm::vec<3, T>(-d.z, -d.y, d.x) : glm::vec<3, T>(d.z, -d.y, -d.x);
 }
 
-/// A direction in the axes of the face that it meets.
-/// @return        (aside, up, away): along the face's base, to the right for who looks along the face with its apex
-///                above; up in the world, of faces 2 and 3 down; away from the other face of the same two, >= 0
+/// Direction in the axes of the face that it meets.
+/// @return        (aside, up, away). aside: along the face's base, to the right for a view along the face with its apex
+///                at the top. up: up in the world, down for faces 2 and 3. away: from the other face of the same pair,
+///                >= 0
 /// @exactness     B, n = 1: S of tetrahedron_face, then selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> tetrahedron_plane(glm::vec<3, T> direction) {
     return tetrahedron_face_point(tetrahedron_face(direction), direction);
 }
 
-/// Distance to a direction's end along the normal of the face that it meets: what per-face depths are made of.
+/// Distance to a direction's end along its face's normal, the input of per-face depths.
 /// @formula       sqrt(2/3) away - sqrt(1/3) up
 /// @exactness     B, n = 3
 template <real T>
@@ -70,9 +73,10 @@ template <real T>
     return p.z * T(0.81649658092772603273) + p.y * T(-0.57735026918962576451);
 }
 
-/// Where on its face a direction meets the tetrahedron.
-/// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
+/// Position on its face where a direction meets the tetrahedron.
+/// @param direction   any length
 /// @return            (s, t, face): t from 0 at the base to 1 at the apex, |s| <= 1 - t
+/// @edge              zero or NaN: NaN coordinates, which every filter takes as lit
 /// @formula           s = aside / d, t = away / d, d = 2 away - sqrt(2) up
 /// @exactness         C, n = 6: divisions
 template <real T>
@@ -82,8 +86,8 @@ template <real T>
     return {p.x / d, p.z / d, T(tetrahedron_face(direction))};
 }
 
-/// A vector of face 0's side of the map on another face's: turned by quarters.
-/// @param face   0 .. 3
+/// Vector from face 0's part of the map, rotated to another face's part by quarter turns.
+/// @param face   0 to 3
 /// @exactness    A: selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_turned(int face, glm::vec<2, T> v) {
@@ -91,11 +95,14 @@ template <real T>
     return face == 2 ? glm::vec<2, T>(-v.y, v.x) : glm::vec<2, T>(v.y, -v.x);
 }
 
-/// Where in a square map that is.
-/// @param at       tetrahedron_coordinate;   size  of the map, in texels;   border  as make_tetrahedron_light's
-/// @return         texels; face 0's base is the first row, 1's the last, 2's the last column, 3's the first
-/// @formula        of face 0 (h + (h - 3 b) s, b + (h - 3 b) t), h = size / 2: b texels aside in x and in y are 3 b on
-///                 a base from its corners and 2 b at the apex; the other faces' turned by quarters
+/// Position in the square map of a position on a face.
+/// @param at       result of tetrahedron_coordinate
+/// @param size     size of the map, in texels
+/// @param border   border of make_tetrahedron_light, in texels
+/// @return         position in texels. The bases of faces 0 and 1 are the first and the last row. The bases of faces 2
+///                 and 3 are the last and the first column
+/// @formula        for face 0 (h + (h - 3 b) s, b + (h - 3 b) t), h = size / 2. A border b in x and in y takes 3 b of a
+///                 base at its corners, and 2 b at the apex. Other faces are rotated by quarter turns
 /// @exactness      B, n = 9: S = h + (h + 3 b) |s|, 2 h + b + (h + 3 b) t
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_texel(glm::vec<3, T> at, T size, T border) {
@@ -106,10 +113,11 @@ template <real T>
     return {half + off.x, half + off.y};
 }
 
-/// The face whose triangle a texel lies in: what a depth pass of another face must leave alone.
-/// @param texel   whole numbers;   size  of the map, in texels, below 2^22
-/// @return        0 .. 3; texels on a diagonal are faces 0's and 1's
-/// @exactness     A: whole numbers
+/// Face whose triangle contains a texel. Depth passes of other faces must leave the texel unchanged.
+/// @param texel   texel index, integers
+/// @param size    size of the map, in texels, below 2^22
+/// @return        0 to 3; texels on a diagonal belong to faces 0 and 1
+/// @exactness     A: integers
 template <real T>
 [[nodiscard]] constexpr int tetrahedron_face_of(glm::vec<2, T> texel, T size) {
     const T u = texel.x * T(2) + T(1) - size, v = texel.y * T(2) + T(1) - size;
@@ -125,7 +133,7 @@ inline constexpr snippet tetrahedron_face{
     .exactness = tier::b,
     .operations = 1,
     .source = R"GLSL(
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float beside = abs(direction.z) - abs(direction.x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float up = direction.y * 1.414213562;
@@ -138,7 +146,7 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
 
 inline constexpr snippet tetrahedron_face_point{
     .name = "tetrahedron_face_point",
-    .summary = "a direction in the axes of a tetrahedron's face",
+    .summary = "direction in the axes of a tetrahedron's face",
     .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
@@ -152,7 +160,7 @@ UMBRAGE_HIGHP vec3 umbrage_tetrahedron_face_point(UMBRAGE_HIGHP float face, UMBR
 
 inline constexpr snippet tetrahedron_plane{
     .name = "tetrahedron_plane",
-    .summary = "a direction in its tetrahedron face's axes",
+    .summary = "direction in the axes of its tetrahedron face",
     .exactness = tier::b,
     .operations = 1,
     .needs = list<&tetrahedron_face, &tetrahedron_face_point>,
@@ -166,12 +174,12 @@ UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
 
 inline constexpr snippet tetrahedron_view_z{
     .name = "tetrahedron_view_z",
-    .summary = "distance along the normal of the tetrahedron's face that a direction meets",
+    .summary = "distance along the normal of a direction's face",
     .exactness = tier::b,
     .operations = 3,
     .needs = list<&tetrahedron_plane>,
     .source = R"GLSL(
-// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+// umbrage_tetrahedron_view_z: distance along the face's normal, the input of per-face depths
 UMBRAGE_HIGHP float umbrage_tetrahedron_view_z(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_HIGHP vec3 p = umbrage_tetrahedron_plane(direction);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = p.z * 0.816496581 + p.y * -0.577350269;
@@ -182,12 +190,14 @@ UMBRAGE_HIGHP float umbrage_tetrahedron_view_z(UMBRAGE_HIGHP vec3 direction) {
 
 inline constexpr snippet tetrahedron_coordinate{
     .name = "tetrahedron_coordinate",
-    .summary = "face of a tetrahedron, and where on it, that a direction meets",
+    .summary = "tetrahedron face of a direction, and the position on it",
     .exactness = tier::c,
     .operations = 6,
     .needs = list<&tetrahedron_face, &tetrahedron_plane>,
     .source = R"GLSL(
-// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction
+//   s  -1.0 to 1.0 along the base
+//   t  0.0 at the base to 1.0 at the apex
 UMBRAGE_HIGHP vec3 umbrage_tetrahedron_coordinate(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_HIGHP vec3 p = umbrage_tetrahedron_plane(direction);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float d = p.z * 2.0 + p.y * -1.414213562;
@@ -198,10 +208,10 @@ UMBRAGE_HIGHP vec3 umbrage_tetrahedron_coordinate(UMBRAGE_HIGHP vec3 direction) 
 
 inline constexpr snippet tetrahedron_turned{
     .name = "tetrahedron_turned",
-    .summary = "a vector of a tetrahedron's first face on another face's side of the map",
+    .summary = "vector rotated from face 0's part of the map to another's",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+// umbrage_tetrahedron_turned: vector from face 0's part of the map, rotated to the part of a face, 0.0 to 3.0
 UMBRAGE_HIGHP vec2 umbrage_tetrahedron_turned(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 v) {
     UMBRAGE_HIGHP vec2 z = face < 0.5 ? v : vec2(-v.x, -v.y);
     UMBRAGE_HIGHP vec2 x = face < 2.5 ? vec2(-v.y, v.x) : vec2(v.y, -v.x);
@@ -212,13 +222,14 @@ UMBRAGE_HIGHP vec2 umbrage_tetrahedron_turned(UMBRAGE_HIGHP float face, UMBRAGE_
 
 inline constexpr snippet tetrahedron_texel{
     .name = "tetrahedron_texel",
-    .summary = "a point of a tetrahedron's face in the map",
+    .summary = "position in the map of a point on a tetrahedron's face",
     .exactness = tier::b,
     .operations = 9,
     .needs = list<&tetrahedron_turned>,
     .source = R"GLSL(
-// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
-//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+// umbrage_tetrahedron_texel: position in a square map, in texels, from (s, t, face) on a tetrahedron
+//   size    size of the map, in texels
+//   border  border along the sides of each triangle, in texels
 UMBRAGE_HIGHP vec2 umbrage_tetrahedron_texel(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP float size,
                                              UMBRAGE_HIGHP float border) {
     UMBRAGE_HIGHP float half_size = size * 0.5;
@@ -233,10 +244,10 @@ UMBRAGE_HIGHP vec2 umbrage_tetrahedron_texel(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGH
 
 inline constexpr snippet tetrahedron_face_of{
     .name = "tetrahedron_face_of",
-    .summary = "face of a tetrahedron that a texel belongs to",
+    .summary = "face of a tetrahedron that contains a texel",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_tetrahedron_face_of: the face, 0.0 to 3.0, whose triangle in a map of size texels a texel lies in
+// umbrage_tetrahedron_face_of: face, 0.0 to 3.0, whose triangle contains a texel, in a map of size texels
 UMBRAGE_HIGHP float umbrage_tetrahedron_face_of(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP vec2 off = texel * 2.0 + (1.0 - size);
     UMBRAGE_HIGHP float column = off.y < 0.0 ? 0.0 : 1.0;

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// A point light's four spaces, a tetrahedron's faces, for triangles of one map.
+// Point light with a tetrahedron shadow map: four light spaces, one per face, for the triangles of one map.
 //
 //     auto faces = umbrage::make_tetrahedron_light<float>(
 //         {.position = p, .map_size = 1024, .border = 2, .clip = clip});
 //     umbrage::rasterize_tetrahedron(map.view(), mesh, faces);  // images/tetrahedron_pass.hpp
 //     glm::vec2 texel = umbrage::tetrahedron_texel(umbrage::tetrahedron_coordinate(world - p), 1024.0f, 2.0f);
 //
-// Triangles share rectangles, so that a face's depth pass must leave the others' texels alone. A fragment shader does
+// Triangles share rectangles, so a face's depth pass must leave the texels of other faces unchanged. Discard in a
+// fragment shader:
 //
 //     if (umbrage_tetrahedron_face_of(floor(gl_FragCoord.xy), 1024.0) != face) discard;
 //
-// or a vertex shader clips: face 0's distances are -y - x and -y + x of gl_Position, where the first row is at NDC
-// y = -1; the others' are the same, turned by quarters. A border of texels along a triangle's sides sees past the face:
-// filters then need no other one, as in point_light.hpp.
+// Or clip in a vertex shader. The clip distances of face 0 are -y - x and -y + x of gl_Position if the first row is at
+// NDC y = -1. For the other faces rotate them by quarter turns.
+//
+// A border along the sides of a triangle extends it beyond its face, so that filters need no other face: see
+// point_light.hpp.
 #pragma once
 
 #include <array>
@@ -35,31 +38,31 @@ namespace umbrage {
 template <real T = float>
 struct tetrahedron_light {
     glm::vec<3, T> position{T(0)};
-    T z_near = T(0.1);    ///< > 0, world units along each face's normal: at its corners three times as far away
-    T z_far = T(100);     ///< > z_near; infinite: no far plane
-    int map_size = 1024;  ///< of the square, in texels, > 6 border
-    int border = 0;       ///< texels along each side of a triangle, within it
-    clip_space clip{};    ///< required: your API's or engine's, see clip_space.hpp
+    T z_near = T(0.1);    ///< near plane along each face's normal, world units, > 0: three times as far at corners
+    T z_far = T(100);     ///< far plane, > z_near; infinite: no far plane
+    int map_size = 1024;  ///< size of the square, in texels, > 6 border
+    int border = 0;       ///< texels along each side of a triangle, inside it
+    clip_space clip{};    ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
-/// A face's corners, in the order of the three other faces, which look away from them.
+/// Corners of a face's triangle in the map. Each is opposite to one of the other three faces, whose order they have.
 template <real T>
 using tetrahedron_tile = std::array<glm::vec<2, T>, 3>;
 
-/// The triangles that tetrahedron_texel has without a border: a square's four sides and its middle.
+/// Triangles of tetrahedron_texel without a border: the four sides of a square with its center.
 template <real T = float>
 [[nodiscard]] std::array<tetrahedron_tile<T>, 4> tetrahedron_tiles(T size) {
     const glm::vec<2, T> low(0), high(size), middle(size / T(2)), right(size, T(0)), left(T(0), size);
     return {{{middle, right, low}, {middle, high, left}, {high, right, middle}, {left, low, middle}}};
 }
 
-/// A triangle without a border of texels, in x and in y, along each of its sides.
-/// @return        turned inside out where nothing is left of it
+/// Triangle without a border of texels, in x and in y, along each of its sides.
+/// @return        triangle; turned inside out if nothing is left
 template <real T>
 [[nodiscard]] tetrahedron_tile<T> without_border(const tetrahedron_tile<T>& t, T border) {
     const auto cross = [](glm::vec<2, T> a, glm::vec<2, T> b) { return a.x * b.y - a.y * b.x; };
     const T turn = cross(t[1] - t[0], t[2] - t[0]) < T(0) ? T(-1) : T(1);
-    std::array<glm::vec<3, T>, 3> sides;  // points p on them have (p, 1) . side = 0
+    std::array<glm::vec<3, T>, 3> sides;  // a point p on a side has (p, 1) . side = 0
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::vec<2, T> along = (t[(i + 1) % 3] - t[i]) * turn, normal(-along.y, along.x);
         sides[i] = {normal, -glm::dot(normal, t[i]) - border * (glm::abs(normal.x) + glm::abs(normal.y))};
@@ -72,11 +75,13 @@ template <real T>
     return inner;
 }
 
-/// A view along each face's normal, and a projection of the face onto its triangle less the border, the first texel at
-/// (0, 0) in every convention. Where clip is left-handed or has its first row on top, one of them, it is a mirror.
-/// @param tiles   in texels; any four triangles: look-ups are then texture_matrix of faces[tetrahedron_face(...)]
-/// @throws std::invalid_argument  no texels within the border, planes out of order, and what gives matrices that are
-///                                not finite
+/// Light spaces of four faces: a view along each face's normal, and a projection onto its triangle without the border.
+///
+/// The first texel is at (0, 0) in every clip space. The projection is a mirror if clip is either left-handed or has
+/// its first row at the top, but not both.
+/// @param tiles   any four triangles, in texels. For lookups use the texture_matrix of faces[tetrahedron_face(...)]
+/// @throws std::invalid_argument  a border that leaves nothing of a triangle; planes out of order; clip unset; matrices
+///                                that would not be finite
 /// @formula       a direction p is at sum of b_j T_j / sum of b_j, b_j = 3/4 (n_i - n_j) . p
 template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 4> make_tetrahedron_light(const tetrahedron_light<T>& light,
@@ -92,7 +97,7 @@ template <real T = float>
         detail::require(glm::dot(tile[1] - tile[0], whole[1] - whole[0]) > T(0), function, "border",
                         "narrow enough to leave some of each triangle", light.border);
         const glm::vec<3, T> normal = tetrahedron_normal<T>(i);
-        glm::mat<2, 3, T> rows(T(0));  // of x w and y w, w = normal . p
+        glm::mat<2, 3, T> rows(T(0));  // rows of x w and y w, with w = normal . p
         for (int j = 0, corner = 0; j < 4; ++j) {
             if (j == i) continue;
             glm::vec<2, T> ndc = tile[static_cast<std::size_t>(corner++)] * (T(2) / T(light.map_size)) - T(1);
@@ -112,7 +117,7 @@ template <real T = float>
     return faces;
 }
 
-/// The same on tetrahedron_texel's triangles.
+/// Light spaces of four faces, with the triangles of tetrahedron_texel.
 template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 4> make_tetrahedron_light(const tetrahedron_light<T>& light) {
     return make_tetrahedron_light(light, tetrahedron_tiles(T(light.map_size)));
