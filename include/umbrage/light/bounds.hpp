@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What lights are fitted to: boxes, spheres, a camera's frustum and slices of it, points; and what a frustum has in
-// common with a scene.
+// Bounds that lights are fitted to: boxes, spheres, camera frustums and slices of them, and points.
+// An intersection is the part of a scene that a camera sees.
 //
 //     umbrage::polyhedron seen = umbrage::intersection(camera, umbrage::bounding_box<float>{scene_low, scene_high});
 //
-// Corners are computed in double, whatever the numbers come in.
+// Corners are computed in double for float and double alike.
 //
 #pragma once
 
@@ -31,7 +31,7 @@ namespace umbrage {
 
 template <real T>
 struct bounding_box {
-    glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; flat ones are as good
+    glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; a flat box is allowed
 };
 
 template <real T>
@@ -42,11 +42,11 @@ struct bounding_sphere {
 
 namespace detail {
 
-/// Box that nobody gave, its low above its high: set-ups that need one refuse it.
+/// Box that was not given, with its low above its high. Setup functions that need a box refuse it.
 template <real T>
 inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
 
-/// Refuses a box that is not finite, or whose low is above its high.
+/// Reports a box that is not finite, or whose low is above its high.
 template <real T>
 void require_box(const bounding_box<T>& box, const char* function, const char* argument) {
     const member_check must{function, argument};
@@ -56,7 +56,7 @@ void require_box(const bounding_box<T>& box, const char* function, const char* a
          glm::mat<2, 3, T>(box.low, box.high));
 }
 
-/// Refuses a box that nobody gave, too.
+/// Reports a box that was not given, or that require_box reports.
 template <real T>
 void require_given(const bounding_box<T>& box, const char* function, const char* argument) {
     require(!glm::all(glm::greaterThan(box.low, box.high)), function, argument, "given, with low not above high",
@@ -64,7 +64,7 @@ void require_given(const bounding_box<T>& box, const char* function, const char*
     require_box(box, function, argument);
 }
 
-/// corners in the name of another function.
+/// corners, with errors in the name of `function`.
 template <real T>
 [[nodiscard]] eight_corners corners_for(const char* function, const bounding_box<T>& box) {
     require_box(box, function, "box");
@@ -77,18 +77,19 @@ template <real T>
 
 }  // namespace detail
 
-/// Corners in the order of their numbers' bits: x, y, z high.
-/// @throws std::invalid_argument  bounds not finite or empty, which is low above high
+/// Corners of a box. The bits of an index select the high x, y and z.
+/// @throws std::invalid_argument  bounds that are not finite; low above high
 template <real T>
 [[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
     return detail::corners_for("corners", box);
 }
 
-/// A sphere around a frustum, the smallest about its middle line. Its radius comes of distances and tangents alone: it
-/// keeps its bits however the camera turns and moves.
-/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2; and more
-///            with a shift or a half_size
-/// @throws std::invalid_argument  a frustum that is none
+/// Sphere around a frustum: the smallest one whose center lies on the frustum's central line.
+///
+/// The radius depends on distances and tangents alone, so its bits do not change as the camera turns and moves.
+/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2; more terms
+///            for a shift or a half_size
+/// @throws std::invalid_argument  an invalid frustum: see its members
 template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f, "sphere_around");
@@ -96,7 +97,7 @@ template <real T>
     const double n(f.z_near), z_far(f.z_far), t = tangents.x * tangents.x + tangents.y * tangents.y;
     const double s = glm::dot(shift, shift), leaning = glm::dot(size, tangents);
     const glm::dvec2 at_near = size + n * tangents, at_far = size + z_far * tangents;
-    // where corners near and far are as far away, upright; then what the shift adds to it
+    // the point equally far from near and far corners without a shift, then the shift's contribution
     const double upright = (n + z_far) * (1.0 + t) / 2.0 + leaning, lean = s * (z_far - n);
     const double turned = lean * (z_far + n) + 2.0 * (glm::dot(shift, at_far) * z_far + glm::dot(shift, at_near) * n) -
                           2.0 * upright * (lean + glm::dot(shift, at_far + at_near));
@@ -111,7 +112,7 @@ template <real T>
 
 namespace detail {
 
-/// The part of a convex polygon that is inside of a plane.
+/// Part of a convex polygon on the inner side of a plane.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
     const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
@@ -125,13 +126,13 @@ template <class = on_use>
     return kept;
 }
 
-/// See polyhedron.
+/// Implementation of polyhedron.
 template <class = on_use>
 class convex_body {
 public:
     struct face {
         glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
-        std::vector<glm::dvec3> corners;  ///< none where the body does not reach the plane
+        std::vector<glm::dvec3> corners;  ///< empty if the body does not reach the plane
     };
 
     convex_body() = default;
@@ -163,7 +164,7 @@ public:
     }
 
     [[nodiscard]] const std::vector<face>& faces() const& { return faces_; }
-    void faces() const&& = delete;  ///< of a temporary: they would dangle
+    void faces() const&& = delete;  ///< deleted for temporaries: the reference would dangle
     [[nodiscard]] bool empty() const { return faces_.empty(); }
 
     [[nodiscard]] static convex_body common(const convex_body& a, const convex_body& b) {
@@ -174,7 +175,7 @@ public:
                 for (const face& other : within.faces_) f.corners = clipped(f.corners, other.plane);
                 touch = touch || !f.corners.empty();
                 body.faces_.push_back(
-                    std::move(f));  // one without corners too: rounding may take them of a flat body's
+                    std::move(f));  // faces without corners too: rounding may remove corners of a flat body
             }
         };
         add(a, b);
@@ -195,10 +196,10 @@ private:
 
 }  // namespace detail
 
-/// A convex body, by its faces.
+/// Convex body, given by its faces.
 using polyhedron = detail::convex_body<>;
 
-/// What two bodies have in common; empty where that is nothing.
+/// Intersection of two bodies, empty if they do not meet.
 template <class Use = detail::on_use>
 [[nodiscard]] polyhedron intersection(const polyhedron& a, const polyhedron& b) {
     return detail::convex_body<Use>::common(a, b);
@@ -206,11 +207,11 @@ template <class Use = detail::on_use>
 
 namespace detail {
 
-/// See hull.
+/// Implementation of hull.
 template <class Use = on_use>
 struct rounded_hull {
     std::vector<glm::dvec3> points;
-    double radius = 0.0;  ///< of the ball
+    double radius = 0.0;  ///< radius of the ball around each point, world units
 
     rounded_hull() = default;
     template <real T>
@@ -231,7 +232,7 @@ struct rounded_hull {
 
 }  // namespace detail
 
-/// Points, what lies between them, and a ball around each: what a directional light is fitted to.
+/// Convex hull of points with a ball around each: the shape that a directional light is fitted to.
 using hull = detail::rounded_hull<>;
 
 }  // namespace umbrage

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
+// Directional light fitted to its receivers, with the near plane pulled back to include their casters.
 //
 //     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene, .clip = clip});
 //     auto tight = umbrage::fit_directional_light<float>(
@@ -9,6 +9,7 @@
 //         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = {1024, 1024},
 //          .clip = clip});
 //
+// Also called: light frustum fitting, texel snapping. See also: cascades/cascades.hpp for several maps, spot_fit.hpp.
 #pragma once
 
 #include <cmath>
@@ -24,24 +25,24 @@ namespace umbrage {
 
 template <real T = float>
 struct directional_fit {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    std::optional<hull> receivers{};              ///< required: box, sphere, frustum, polyhedron or points
-    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
-    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
-    glm::ivec2 snap_texels{0};                    ///< size of a map whose texels stay where they are; 0: not snapped
-    clip_space clip{};                            ///< required: your API's or engine's, see clip_space.hpp
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< direction the light travels; any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint for the map's up axis; may be parallel to direction
+    std::optional<hull> receivers{};              ///< required: a box, sphere, frustum, polyhedron or points
+    std::optional<bounding_box<T>> casters{};     ///< if missing: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);         ///< border on every side, as a fraction of the receivers' diameter, >= 0
+    glm::ivec2 snap_texels{0};  ///< map size that keeps texels fixed in the world; 0: no snapping
+    clip_space clip{};          ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
 namespace detail {
 
-/// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
+/// Box in front of a light. Its center is a fraction of its half sides, so that these keep their bits at any place.
 struct light_box {
     glm::dvec2 half, middle;
     double z_near, z_far;
 };
 
-/// The map of whole square texels around a box, a texel wider, and depths in steps of its longer side.
+/// Box around a box: one texel wider, of square texels on a fixed grid. Its depths go in steps of its longer side.
 [[nodiscard]] inline light_box snapped(const light_box& box, glm::ivec2 texels) {
     const glm::dvec2 n(texels), halves = box.half / (n - 1.0);
     const double half_texel = greater(halves.x, halves.y), side = 2.0 * half_texel * greater(n.x, n.y);
@@ -51,7 +52,7 @@ struct light_box {
             z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
 }
 
-/// fit_directional_light in the name of another function, whose arguments give the box's sides and depths.
+/// Body of fit_directional_light. Errors name `function`, and the arguments that give the box's sides and depths.
 template <real T>
 [[nodiscard]] light_space<T> fit_directional(const directional_fit<T>& fit, const char* function, const char* sides,
                                              const char* depths) {
@@ -96,21 +97,20 @@ template <real T>
 
 }  // namespace detail
 
-/// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
-/// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
-/// there; for a sphere's sweep stands that of its square.
+/// Light space of the smallest box along the light that holds the receivers and their casters, with the margin around.
 ///
-/// With snap_texels the box has the map's aspect, so that texels are squares of the world, and is a texel wider. Its
-/// texels lie on a grid of the world wherever the receivers move, as long as their extent keeps its bits: a sphere's
-/// does. Its depths then span the casters' whole box, and go beyond it in steps of the box's longer side. For a grid
-/// that keeps its place to a hundredth of a texel far from the origin, fit in double and take the texture matrix of an
-/// origin.
+/// Casters count if they lie in the volume that the receivers sweep towards the light. Other casters throw no shadow on
+/// the receivers, so they do not move the near plane. A sphere sweeps the volume of its bounding square.
 ///
-/// Without receivers, as a camera may see none of a scene, any map will do: it is that of the casters' box,
-/// or of one around the origin.
+/// With snap_texels the box takes the map's aspect ratio, so that texels are square, and grows by one texel. Its texels
+/// then lie on a grid fixed in the world while the receivers move. This holds as long as the receivers' extent keeps
+/// its bits, as a sphere's does. The depths span the whole box of casters, in steps of the box's longer side.
+/// To keep the grid stable to 1/100 texel far from the origin, fit in double and use texture_matrix with an origin.
 ///
-/// @throws std::invalid_argument  zero or non-finite direction, receivers of no extent, casters that are no
-///                                box, a negative margin, and what gives matrices that are not finite
+/// @edge   receivers without points (a camera that sees nothing of a scene): a map of the casters' box. Without casters
+///         too: of a box around the origin
+/// @throws std::invalid_argument  zero or non-finite direction; receivers missing or without extent; an invalid box of
+///                                casters; a negative margin; clip unset; matrices that would not be finite
 /// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
 template <real T = float>
 [[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {

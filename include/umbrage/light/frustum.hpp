@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What a camera sees between two distances: perspective, off-axis, orthographic, or two eyes at once.
+// View frustum between two distances: perspective, off-axis, orthographic, or for two eyes at once.
 //
 //     umbrage::frustum<float> slice{.position = eye, .direction = ahead, .tan_half_x = 0.8f, .tan_half_y = 0.5f,
 //                                   .z_near = 1, .z_far = 20};
 //     umbrage::frustum<float> any = umbrage::make_frustum<float>(
 //         {.view = view, .projection = projection, .z_near = 1, .z_far = 20, .clip = clip});
 //
-// Corners are computed in double, whatever the numbers come in.
+// Corners are computed in double for float and double alike.
 #pragma once
 
 #include <array>
@@ -31,22 +31,22 @@
 
 namespace umbrage {
 
-/// What a camera sees between two distances: all of it, or a cascade's slice. At a distance z it sees
-/// half_size + tan_half z to either side of shift z.
+/// View volume of a camera between two distances: all of it, or the slice of a cascade.
+/// At a distance z it extends half_size + tan_half z to either side of shift z.
 template <real T>
 struct frustum {
     glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< direction the camera looks; any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint for the up axis; may be parallel to direction
     T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
-    T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
-    glm::vec<2, T> shift{T(0)};      ///< off-axis: tangents of the view's middle along cross(direction, up) and up
-    glm::vec<2, T> half_size{T(0)};  ///< at distance 0, >= 0, world units: orthographic, tangents then 0; two eyes
+    T z_near = T(0.1), z_far = T(100);            ///< distances along direction, 0 <= z_near < z_far, finite
+    glm::vec<2, T> shift{T(0)};      ///< off-axis: tangents of the view's center along cross(direction, up) and up
+    glm::vec<2, T> half_size{T(0)};  ///< half size at distance 0, world units, >= 0: for two eyes or orthographic views
 };
 
 namespace detail {
 
-/// Refuses an argument of a function, a struct, by the names of its members: as "camera" and "z_near".
+/// Check of a struct argument. Its errors name the argument and the member, such as "camera.z_near".
 struct member_check {
     const char *function, *argument;
 
@@ -56,7 +56,7 @@ struct member_check {
     }
 };
 
-/// Refuses a frustum that is none: see its members.
+/// Reports an invalid frustum: see its members.
 template <real T>
 void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
     const member_check must{function, argument};
@@ -83,7 +83,7 @@ template <real T>
             double(f.z_far),        glm::dvec2(f.shift),     glm::dvec2(f.half_size)};
 }
 
-/// A frustum's directions as columns: to the side, up, along.
+/// Axes of a frustum as columns: side, up and forward.
 template <real T>
 [[nodiscard]] glm::dmat3 axes(const frustum<T>& f, const char* function, const char* argument = "frustum") {
     require_frustum(f, function, argument);
@@ -94,13 +94,13 @@ template <real T>
             {-view[0][2], -view[1][2], -view[2][2]}};
 }
 
-/// Whether it shrinks what is farther: warps are for no other.
+/// True if the frustum shrinks distant objects. Warps take no other frustum.
 template <real T>
 [[nodiscard]] bool is_perspective(const frustum<T>& f) {
     return f.tan_half_x > T(0) && f.tan_half_y > T(0);
 }
 
-/// A frustum of one eye around that of two, behind them; of one eye its own.
+/// Frustum of one eye that contains the frustum of two, from behind them. A frustum of one eye is returned as is.
 template <real T>
 [[nodiscard]] frustum<double> of_one_eye(const frustum<T>& camera, const char* function) {
     frustum<double> f = in_double(camera);
@@ -117,7 +117,7 @@ using eight_corners = std::array<glm::dvec3, 8>;
 
 namespace detail {
 
-/// corners in the name of another function.
+/// corners, with errors in the name of `function`.
 template <real T>
 [[nodiscard]] eight_corners corners_for(const char* function, const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f, function);
@@ -134,8 +134,8 @@ template <real T>
 
 }  // namespace detail
 
-/// Corners in the order of their numbers' bits: right, up, far.
-/// @throws std::invalid_argument  a frustum that is none: see its members
+/// Corners of a frustum. The bits of an index select right, up and far.
+/// @throws std::invalid_argument  an invalid frustum: see its members
 template <real T>
 [[nodiscard]] eight_corners corners(const frustum<T>& f) {
     return detail::corners_for("corners", f);
@@ -144,20 +144,20 @@ template <real T>
 template <real T = float>
 struct camera_matrices {
     glm::mat<4, 4, T> view{T(1)};                  ///< world to view space of the camera, or of the head
-    glm::mat<4, 4, T> projection{T(1)};            ///< view space to clip space. Its row of depth is not read
-    std::optional<glm::mat<4, 4, T>> other_eye{};  ///< of two eyes: each has its projection times head to eye
-    T z_near = T(0.1), z_far = T(100);  ///< what shadows are for, 0 <= z_near < z_far, along the view, finite
-    clip_space clip{};                  ///< required: your API's or engine's, see clip_space.hpp
+    glm::mat<4, 4, T> projection{T(1)};            ///< view space to clip space; its depth row is not read
+    std::optional<glm::mat<4, 4, T>> other_eye{};  ///< second projection of two eyes. Each then includes head to eye
+    T z_near = T(0.1), z_far = T(100);             ///< range of the shadows along the view, 0 <= z_near < z_far, finite
+    clip_space clip{};                             ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
 namespace detail {
 
-/// Bounds of what cameras see, x and y in view space: first + slope z at a distance z.
+/// Bounds of camera views, x and y in view space: low + low_slope z and high + high_slope z at a distance z.
 struct view_bounds {
     glm::dvec2 low{highest<double>}, high{-highest<double>}, low_slope{highest<double>}, high_slope{-highest<double>};
 };
 
-/// Adds a camera's four edges, in each of which two of its sides cross.
+/// Adds the four edges of a camera's view, in each of which two of its sides meet.
 template <real T>
 void add_edges(view_bounds& bounds, const camera_matrices<T>& camera, const glm::mat<4, 4, T>& projection,
                const char* argument) {
@@ -165,7 +165,7 @@ void add_edges(view_bounds& bounds, const camera_matrices<T>& camera, const glm:
     require(all_finite(projection), function, argument, "finite", projection);
     glm::dmat4 rows = glm::transpose(glm::dmat4(projection));
     if (camera.clip.hand == handedness::right)
-        for (glm::length_t i = 0; i < 4; ++i) rows[i].z = -rows[i].z;  // of a distance
+        for (glm::length_t i = 0; i < 4; ++i) rows[i].z = -rows[i].z;  // z as a distance
     for (int i = 0; i < 4; ++i) {
         const glm::dvec4 a = rows[0] + (i & 1 ? -1.0 : 1.0) * rows[3], b = rows[1] + (i & 2 ? -1.0 : 1.0) * rows[3];
         const double area = a.x * b.y - a.y * b.x;
@@ -183,15 +183,16 @@ void add_edges(view_bounds& bounds, const camera_matrices<T>& camera, const glm:
 
 }  // namespace detail
 
-/// The frustum of any camera's matrices: perspective, off-axis, orthographic; depth forward or reversed, with a far
-/// plane or without. Of two eyes, and of one that is turned from the view, a frustum around what they see.
+/// Frustum of a camera's matrices: perspective, off-axis or orthographic, with forward or reversed depth, with or
+/// without a far plane.
 ///
-/// Its sides come from the projections alone, so that stable cascades stay stable while the view moves. With two eyes
-/// each projection must keep its bits: headsets give eyes relative to the head.
+/// For two eyes the result contains both views. It also contains the view of an eye that is rotated from the head.
+/// Its sides depend on the projections alone, so that stable cascades stay stable while the view moves.
+/// With two eyes each projection must keep its bits: use the eyes relative to the head, as headsets give them.
 ///
-/// @return        distances are those along the view, from its origin: -z of view space in right-handed ones, else z
-/// @throws std::invalid_argument  a view that is no rotation and translation, projections whose edges do not run ahead
-///                                from z_near on, planes out of order, and what is not finite
+/// @return        frustum with distances along the view from its origin: -z of view space if right-handed, else z
+/// @throws std::invalid_argument  a view that is not a rotation and a translation; projections whose edges do not run
+///                                ahead from z_near on; planes out of order; clip unset; values that are not finite
 template <real T = float>
 [[nodiscard]] frustum<T> make_frustum(const camera_matrices<T>& camera) {
     constexpr auto function = "make_frustum";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
-// matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
+// Light space: a light's view and projection matrices, and the clip space they follow. Every setup function returns
+// finite matrices with a finite product, or reports the argument at fault.
 //
 //     auto light = umbrage::make_spot_light(
 //         {.position = {0, 5, 0}, .direction = {0, -1, 0}, .clip = umbrage::opengl_clip_space});
@@ -28,20 +28,20 @@ namespace umbrage {
 
 template <real T>
 struct light_space {
-    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, a rotation; down -z (right) or +z (left)
-    glm::mat<4, 4, T> projection{T(1)};  ///< view space -> clip space
+    glm::mat<4, 4, T> view{T(1)};  ///< world to view space, without a mirror; looks down -z (right-handed) or +z (left)
+    glm::mat<4, 4, T> projection{T(1)};  ///< view space to clip space
     clip_space clip;
 };
 
 namespace detail {
 
-/// True for what neither overflowed nor is lost where denormals count as zero.
+/// True if a value neither overflowed nor is a denormal, which some modes flush to zero.
 template <real T>
 [[nodiscard]] bool is_normal(T v) {
     return is_finite(v) && glm::abs(v) >= (std::numeric_limits<T>::min)();
 }
 
-/// The one check of a light's matrices.
+/// Final check of a light's matrices, shared by all setup functions.
 template <real T>
 [[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
     const glm::mat<4, 4, T> m = light.projection * light.view;
@@ -51,14 +51,14 @@ template <real T>
     return light;
 }
 
-/// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
+/// Unit vector. It is scaled first, so that nothing overflows or underflows. Zero stays zero.
 template <real T>
 [[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
     const T scale = greater(greater(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
     return scale > T(0) ? glm::normalize(v / scale) : v;
 }
 
-/// Two vectors of length one that stand square to one of length one, and to each other.
+/// Two unit vectors at right angles to a unit vector, and to each other.
 template <real T>
 [[nodiscard]] std::array<glm::vec<3, T>, 2> across(glm::vec<3, T> v) {
     const glm::vec<3, T> size = glm::abs(v);
@@ -69,7 +69,7 @@ template <real T>
     return {side, glm::cross(v, side)};
 }
 
-/// look_along in the name of another function, whose argument `position` is; the result is the caller's to check.
+/// Body of look_along. Errors name `function` and the argument of the position. The caller checks the result.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
                                            handedness hand, const char* function, const char* position_name) {
@@ -82,8 +82,8 @@ template <real T>
     glm::vec<3, T> side = glm::cross(forward, unit(up));
     if (!(glm::length(side) > T(1e-3))) side = across(forward)[0];
     const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
-    side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
-    const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
+    side = glm::cross(forward, above);  // again: with up nearly parallel to forward the first is a hundred ulp off
+    const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a rotation about y
 
     glm::mat<4, 4, T> view(T(1));
     for (glm::length_t i = 0; i < 3; ++i) {
@@ -99,15 +99,15 @@ template <real T>
 
 }  // namespace detail
 
-/// World to light's view space by a rotation: x to the right, y up.
+/// View matrix from the world to the light's view space, where x points right and y up. It never mirrors.
 ///
-/// @param position    of the light, world
-/// @param direction   it looks along, any length > 0
-/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
-///                    takes its place, so that any direction works
-/// @param hand        of the world and the view; right: looks down -z, as glm::lookAtRH, left: down +z, as
-/// glm::lookAtLH
-/// @throws std::invalid_argument  zero or non-finite direction or position
+/// @param position    position of the light, world
+/// @param direction   direction the light looks, any length > 0
+/// @param up          hint for the up axis. If it is parallel to direction (within 1e-3), the world axis with the
+///                    smallest component along direction replaces it. So any direction works
+/// @param hand        handedness of the world and the view. right: looks down -z as glm::lookAtRH, left: looks down +z
+///                    as glm::lookAtLH
+/// @throws std::invalid_argument  zero or non-finite direction; non-finite position
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
                                            handedness hand) {
@@ -118,7 +118,7 @@ template <real T>
 
 namespace detail {
 
-/// Rows that send view-space distance z_near to the near depth and z_far to the far depth of the convention.
+/// Depths of the near and the far plane in a clip space.
 template <real T>
 struct depth_ends {
     T at_near, at_far;
@@ -129,7 +129,7 @@ template <real T>
     return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
 }
 
-/// perspective in the name of another function, which has checked the tangents; planes names what gives them.
+/// Body of perspective. Errors name `function`, and `planes` as the source of the planes. The caller checks tangents.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
                                             const char* function, const char* planes = "z_near and z_far") {
@@ -138,7 +138,7 @@ template <real T>
     require(!is_nan(z_far) && z_near < z_far, function, "z_far", "above z_near", z_far);
     const auto [at_near, at_far] = ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    // the formula over powers of two, which keeps its bits and does not overflow; no far plane: z_near is nothing to it
+    // scaled by powers of two, which keep the bits and prevent overflow; without a far plane z_near counts as 0
     const bool bounded = is_finite(z_far);
     const int far_scale = bounded ? std::ilogb(z_far) : 0, near_scale = std::ilogb(z_near);
     const T f = bounded ? std::scalbn(z_far, -far_scale) : T(1), n = bounded ? std::scalbn(z_near, -far_scale) : T(0);
@@ -153,7 +153,7 @@ template <real T>
     return m;
 }
 
-/// orthographic in the name of another function, whose arguments give the box and the planes.
+/// Body of orthographic. Errors name `function`, and the arguments that give the box and the planes.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
                                              clip_space clip, const char* function, const char* box,
@@ -185,9 +185,9 @@ template <real T>
 /// Perspective projection.
 ///
 /// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
-/// @param z_near, z_far            0 < z_near < z_far, world units; an infinite z_far is no far plane: depth then nears
-///                                 the far depth with distance, forward or reversed
-/// @throws std::invalid_argument   anything else, and what gives a matrix that is not finite
+/// @param z_near, z_far            distances, world units, 0 < z_near < z_far. With an infinite z_far there is no far
+///                                 plane: depth nears the far depth with distance, forward or reversed
+/// @throws std::invalid_argument   values outside these ranges; clip unset; a matrix that would not be finite
 /// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
@@ -197,11 +197,11 @@ template <real T>
     return detail::perspective(tan_half_x, tan_half_y, z_near, z_far, clip, "perspective");
 }
 
-/// Orthographic projection of the box between two corners of view space, z given as distances in front of the light.
+/// Orthographic projection of a box in view space.
 ///
-/// @param low, high        x and y of the corners, low < high
-/// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
-/// @throws std::invalid_argument   an empty or non-finite box, and one that gives a matrix that is not finite
+/// @param low, high        x and y of the box's corners, world units, low < high
+/// @param z_near, z_far    distances in front of the light, world units, z_near < z_far. Negative: behind the light
+/// @throws std::invalid_argument   an empty or non-finite box; clip unset; a matrix that would not be finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
                                              clip_space clip) {

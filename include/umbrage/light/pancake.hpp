@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Casters before the near plane, pressed onto it by the vertex shader where the rasterizer cannot clamp depth.
+// Pancaking: the vertex shader clamps casters to the near plane, for rasterizers that cannot clamp depth.
 //
 //     gl_Position = umbrage_pancake(clip_from_world * position, 0.0);   // umbrage::near_depth(clip)
 //
+// Also called: shadow pancaking. Better where available: depth clamping by the rasterizer (GL_DEPTH_CLAMP).
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -14,7 +15,7 @@
 
 namespace umbrage {
 
-/// z/w of the near plane: 0 or -1, and 1 where depth is reversed.
+/// z/w of the near plane: 0 or -1, and 1 for reversed depth.
 /// @throws std::invalid_argument  clip unset
 [[nodiscard]] constexpr float near_depth(clip_space clip) {
     detail::require_given(clip, "near_depth");
@@ -22,13 +23,15 @@ namespace umbrage {
     return clip.range == depth_range::zero_to_one ? 0.0f : -1.0f;
 }
 
-/// A vertex before the near plane, moved onto it along z: for directional lights, where w is 1. Right for triangles
-/// wholly before the plane or behind it. One that crosses it is bent, and its part behind comes out too far: prefer a
-/// rasterizer that clamps.
-/// @param position   in clip space
-/// @param at_near    z/w of the near plane, near_depth: 0, -1 or 1, where 1 says that depth is reversed
-/// @return           z = max(z, at_near w), or min for reversed depth; a NaN in z stays
-/// @exactness        B, n = 1, S = |at_near w|: selects; where denormals compare as zeros, those before the plane stay
+/// Position of a vertex, clamped along z to the near plane. For directional lights, where w is 1.
+///
+/// It is correct for triangles wholly on one side of the plane. A triangle that crosses the plane is bent, and its part
+/// behind the plane comes out too far from the light. Prefer a rasterizer that clamps.
+/// @param position   position in clip space
+/// @param at_near    z/w of the near plane, from near_depth: 0, -1, or 1, which means reversed depth
+/// @return           position with z = max(z, at_near w), or min for reversed depth
+/// @edge             NaN in z: unchanged
+/// @exactness        B, n = 1, S = |at_near w|: it selects. If denormals compare as zero, they stay unclamped
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> pancake(glm::vec<4, T> position, T at_near) {
     const T plane = at_near * position.w;
@@ -40,11 +43,11 @@ namespace glsl {
 
 inline constexpr snippet pancake{
     .name = "pancake",
-    .summary = "casters before the near plane, onto it",
+    .summary = "casters clamped to the near plane (pancaking)",
     .exactness = tier::b,
     .operations = 1,
     .source = R"GLSL(
-// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
+// umbrage_pancake: clip space position, clamped to the near plane if it lies in front of it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
 UMBRAGE_HIGHP vec4 umbrage_pancake(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// A spot light fitted to what of its cone receives shadows, with the near plane pulled towards what casts them.
+// Spot light fitted to the receivers in its cone, with the near plane pulled back to include their casters.
 //
 //     const std::optional<umbrage::light_space<float>> light = umbrage::fit_spot_light<float>(
 //         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene,
 //          .clip = clip});
-//     if (light) draw_depths(*light);  // else nothing that the camera sees is in the cone
+//     if (light) draw_depths(*light);  // else the cone contains nothing that the camera sees
 //
+// See also: spot_light.hpp, which maps the whole cone.
 #pragma once
 
 #include <cmath>
@@ -25,21 +26,21 @@ namespace umbrage {
 template <real T = float>
 struct spot_fit {
     glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
-    T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a light's own size
-    std::optional<hull> receivers{};           ///< required: box, sphere, frustum, polyhedron or points
-    std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
-    T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< direction the light travels; any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint for the map's up axis; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< from axis to edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                         ///< smallest distance of the near plane, > 0: the light's own size
+    std::optional<hull> receivers{};           ///< required: a box, sphere, frustum, polyhedron or points
+    std::optional<bounding_box<T>> casters{};  ///< if missing: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);         ///< border on every side, as a fraction of the map and of distances, 0 to 1/2
     bool has_far_plane = true;  ///< false: depth nears the far depth with distance
-    clip_space clip{};          ///< required: your API's or engine's, see clip_space.hpp
+    clip_space clip{};          ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
 namespace detail {
 
-/// What a spot light sees of a hull beyond a distance, within tangents of its sides: points as tangents x / distance,
-/// y / distance, and the distance.
+/// Part of a hull beyond a distance that a spot light sees, within the tangents of its sides.
+/// Its points are (x / distance, y / distance, distance).
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
     for (const glm::dvec4& plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0),
@@ -49,15 +50,17 @@ template <class = on_use>
     return seen;
 }
 
-/// The nearest that a box of casters comes to a spot light within what receivers sweep towards it.
-/// @param receivers  tangents;   outwards  the margin around them;   closest  where the sweep ends
+/// Smallest distance from a spot light to a box of casters, within the volume that receivers sweep towards the light.
+/// @param receivers  receivers as tangents
+/// @param outwards   margin around them, tangents
+/// @param closest    distance where the sweep ends
 template <class = on_use>
 [[nodiscard]] double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
                                      const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
     std::vector<glm::dvec4> planes = sweep(receivers, outwards);
     for (glm::dvec4& plane : planes) plane = {plane.x, plane.y, plane.w, 0.0};  // through the light
     planes.emplace_back(0.0, 0.0, 1.0, -closest);
-    // the sweep's end may lie within the casters, none of whose faces it then meets
+    // the end of the sweep may lie inside the casters, where it meets none of their faces
     const glm::dvec4 end =
         glm::inverse(frame) * glm::dvec4(receivers.front().x * closest, receivers.front().y * closest, closest, 1.0);
     bool within = true;
@@ -67,13 +70,16 @@ template <class = on_use>
 
 }  // namespace detail
 
-/// The smallest part of the square pyramid around the cone that holds the receivers in it, and what of the casters' box
-/// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
-/// may stand within receivers and casters. For a sphere stands its box; of points counts all that lies between them, at
-/// a cost that grows with the square of their number where some lie outside: for a mesh give its box.
-/// @return      nothing where no receivers of some extent lie in the pyramid beyond z_near: the light needs no map
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers that are not
-///                                finite, casters that are no box, and what gives matrices that are not finite
+/// Light space of the smallest part of the cone's square pyramid that holds the receivers and their casters, with the
+/// margin around.
+///
+/// Casters count if they lie in the volume that the receivers sweep towards the light. The result never leaves the
+/// pyramid, and its near plane is never closer than z_near. The light may stand inside the receivers and casters.
+/// A sphere counts as its bounding box, and points count as their convex hull. If some points lie outside, the cost
+/// grows with the square of their number: for a mesh pass its box.
+/// @return      nothing if no receivers of some extent lie in the pyramid beyond z_near: the light then needs no map
+/// @throws std::invalid_argument  zero or non-finite direction; angle outside (0, pi / 2); receivers missing or not
+///                                finite; an invalid box of casters; clip unset; matrices that would not be finite
 template <real T = float>
 [[nodiscard]] std::optional<light_space<T>> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";

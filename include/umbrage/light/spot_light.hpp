@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A spot light's space.
+// Spot light: view and perspective projection around its whole cone.
 //
 //     auto light = umbrage::make_spot_light(
 //         {.position = p, .direction = d, .outer_angle_radians = 0.6f, .clip = umbrage::opengl_clip_space});
 //
+// See also: spot_fit.hpp, which fits the map to the receivers; point/point_light.hpp for light in all directions.
 #pragma once
 
 #include <cmath>
@@ -19,18 +20,18 @@ namespace umbrage {
 template <real T = float>
 struct spot_light {
     glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
-    T aspect = T(1);                                    ///< width / height of the map, > 0: texels are square
-    T z_near = T(0.1);                                  ///< > 0, world units
-    T z_far = T(100);                                   ///< > z_near; infinite: no far plane
-    clip_space clip{};                                  ///< required: your API's or engine's, see clip_space.hpp
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< direction the light travels; any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint for the map's up axis; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< from axis to edge of the cone, above 0, below pi / 2
+    T aspect = T(1);                                    ///< width / height of the map, > 0: makes texels square
+    T z_near = T(0.1);                                  ///< distance of the near plane, > 0, world units
+    T z_far = T(100);                                   ///< distance of the far plane, > z_near; infinite: no far plane
+    clip_space clip{};  ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
-/// View and perspective projection around the light's cone, which the map holds whole: it touches the shorter sides.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), aspect not above 0, planes
-///                                out of order, and what gives matrices that are not finite
+/// Light space of a spot light. The map holds the whole cone, which touches the map's shorter sides.
+/// @throws std::invalid_argument  zero or non-finite direction; angle outside (0, pi / 2); aspect not above 0; planes
+///                                out of order; clip unset; matrices that would not be finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
     constexpr auto function = "make_spot_light";

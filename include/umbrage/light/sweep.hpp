@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What receivers sweep on their way to the light, as casters have to lie in it: the hull of what the light sees of
-// them, and how near to the light a box of casters comes within it. What fits share.
+// Sweep of the receivers towards the light, which holds all their casters. The light fits share it.
+// It gives the convex hull of the receivers as the light sees them, and the nearest casters within the sweep.
 //
 #pragma once
 
@@ -24,7 +24,7 @@
 namespace umbrage {
 namespace detail {
 
-/// Receivers, or a complaint in the name of a function whose argument they are.
+/// Receivers of a fit. Reports missing or invalid ones in the name of `function`.
 template <class Use = on_use>
 [[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
     require(receivers.has_value(), function, "receivers", "given", "none");
@@ -35,7 +35,7 @@ template <class Use = on_use>
     return *receivers;
 }
 
-/// Points whose hull holds all receivers: in place of a ball the corners of its box.
+/// Points whose convex hull holds all receivers. The corners of a box replace each ball.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> corners_of(const hull& receivers) {
     if (!(receivers.radius > 0.0)) return receivers.points;
@@ -46,7 +46,7 @@ template <class = on_use>
     return all;
 }
 
-/// World to x, y and the distance along the light.
+/// Matrix from the world to x, y and the distance along the light.
 template <real T>
 [[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
     glm::dmat4 frame(view);
@@ -73,15 +73,15 @@ template <class = on_use>
     return e;
 }
 
-/// Counter-clockwise, without what lies on an edge.
+/// Convex hull in counter-clockwise order, without points on its edges.
 /// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
     std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
-    for (glm::dvec2& p : points) p += 0.0;  // zeros are all positive: what is equal has equal bits
+    for (glm::dvec2& p : points) p += 0.0;  // makes all zeros positive: equal points have equal bits
     std::sort(points.begin(), points.end(),
               [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-    // from b on: a and b may be one corner but for rounding, and (c - a) would then have lost their turn
+    // measured from b: rounding may split one corner into a and b, and (c - a) would then lose the turn
     const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
         return (b.x - a.x) * (c.y - b.y) <= (b.y - a.y) * (c.x - b.x);
     };
@@ -92,13 +92,13 @@ template <class = on_use>
             while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
             hull.push_back(p);
         }
-        hull.pop_back();  // the other side begins with it
+        hull.pop_back();  // the other side begins with this point
     }
     return hull;
 }
 
-/// What the hull of points has in common with a half-space, as points around it: those inside, and of where the lines
-/// between them and the others cross the plane the outermost.
+/// Intersection of the hull of points and a half-space, as points around it. These are the points inside, and the
+/// outermost points where lines from inner to outer points cross the plane.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points, const glm::dvec4& plane) {
     const glm::dvec3 normal(plane), steep = glm::abs(normal);
@@ -132,8 +132,8 @@ template <class = on_use>
     return kept;
 }
 
-/// A plane (a, b, 0, c) through each edge of a hull; none through edges between points that differ by rounding only, as
-/// their direction is arbitrary.
+/// Planes (a, b, 0, c) through the edges of a hull. Edges between points that differ only by rounding give no plane,
+/// since their direction is arbitrary.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull) {
     std::vector<glm::dvec4> planes;
@@ -148,12 +148,12 @@ template <class = on_use>
     return planes;
 }
 
-/// Planes around what points sweep, each point with the square of `outwards` around it. Squares keep the planes
-/// continuous while points move: sides moved outwards would jump where a corner of the hull splits in two.
+/// Planes around the sweep of points, each with a square of half side `outwards` around it.
+/// Squares keep the planes continuous while points move. Sides moved outwards would jump where a hull corner splits.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
     const auto [low, high] = extent_of(seen);
-    // casters that touch a side are within it, whichever way it was rounded
+    // casters that touch a side count as inside, however the side was rounded
     const double around = detail::greater(outwards, 0x1p-32 * detail::greater(high.x - low.x, high.y - low.y));
     std::vector<glm::dvec3> corners;
     corners.reserve(4 * seen.size());
@@ -163,7 +163,7 @@ template <class = on_use>
     return sides(convex_hull(corners));
 }
 
-/// The least distance along the light of a box's faces within planes; highest<double> where none is.
+/// Smallest distance along the light to a box's faces within planes; highest<double> if there is none.
 template <class = on_use>
 [[nodiscard]] double nearest(const glm::dmat4& frame, const polyhedron& box, const std::vector<glm::dvec4>& planes) {
     double least = highest<double>;

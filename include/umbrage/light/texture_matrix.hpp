@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// From world to the shadow map: the texture matrix, the four tap matrices, and what a vertex shader does with them.
+// Texture matrix from the world to the shadow map, matrices for four taps, and the vertex shader's use of them.
 //
 //     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
-//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
+//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // x and y in texels, depth
 //
-// Far from the world's origin, of a light in double and points that are told from an origin near the camera:
+// Far from the world's origin, use a light in double, and points relative to an origin near the camera:
 //
 //     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024}, origin);
 //     draw_depths(umbrage::relative_to(light, origin));
 //     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, glm::vec3(world - origin)));
 //
+// Also called: shadow matrix, bias matrix, world-to-shadow matrix, camera-relative rendering.
 #pragma once
 
 #include <array>
@@ -26,13 +27,13 @@
 
 namespace umbrage {
 
-/// World to texels and depth, before the division by w.
+/// Matrix from the world to texels and depth, before the division by w.
 ///
-/// @param map_size   texels, each >= 1; the first texel's center is (0.5, 0.5). (1, 1) gives normalized coordinates, UV
-/// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
+/// @param map_size   map size in texels, each >= 1; the first texel's center is (0.5, 0.5). (1, 1) gives UV coordinates
+/// @return           matrix to (x w, y w, depth w, w). Depth is in [0, 1] in every clip space; reversed stays reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
 ///                   [-1, 1] clip space becomes z / 2 + 1 / 2
-/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite
+/// @throws std::invalid_argument  map_size below 1; clip unset; a matrix that would not be finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
     detail::require_given(light.clip, "texture_matrix", "light.clip");
@@ -53,12 +54,12 @@ template <real T>
     return m;
 }
 
-/// Points relative to an origin to texels and depth: the product in double, rounded once.
+/// Matrix from points relative to an origin to texels and depth: the product in double, rounded once.
 ///
-/// Origins may differ from frame to frame: a point of the world keeps its place in a stable map to 1/100 texel while it
-/// and the map are within 10,000 texels of each.
-/// @param origin   world; near the camera, as an engine's floating origin is
-/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite in float
+/// The origin may change from frame to frame. A world point keeps its place in a stable map to 1/100 texel while it and
+/// the map are within 10,000 texels of each origin.
+/// @param origin   world position near the camera, such as an engine's floating origin
+/// @throws std::invalid_argument  map_size below 1; clip unset; a matrix that would not be finite in float
 [[nodiscard]] inline glm::mat4 texture_matrix(const light_space<double>& light, glm::ivec2 map_size,
                                               glm::dvec3 origin) {
     glm::dmat4 m = texture_matrix(light, map_size);
@@ -69,10 +70,10 @@ template <real T>
     return rounded;
 }
 
-/// A light of double for points relative to an origin, as its depth pass takes it.
-/// @param origin   world; near the camera, as an engine's floating origin is
-/// @return         a rotation for a view stays one: what is far cancels in the projection, which is then small
-/// @throws std::invalid_argument  matrices that are not finite in float
+/// Light in float for points relative to an origin, from a light in double. Use it in the depth pass.
+/// @param origin   world position near the camera, such as an engine's floating origin
+/// @return         light space. A view that is a rotation stays one: large terms cancel in the projection
+/// @throws std::invalid_argument  matrices that would not be finite in float
 [[nodiscard]] inline light_space<float> relative_to(const light_space<double>& light, glm::dvec3 origin) {
     const glm::dvec4 at = light.view * glm::dvec4(origin, 1.0);
     glm::dmat4 view = light.view, projection = light.projection;
@@ -84,7 +85,7 @@ template <real T>
 
 namespace detail {
 
-/// How a point's texels and depth change with a step along a vector.
+/// Change of a point's texel coordinates and depth per step along a vector.
 template <real T>
 [[nodiscard]] glm::vec<3, T> step(const glm::mat<4, 4, T>& texture_matrix, glm::vec<3, T> world, glm::vec<3, T> along) {
     const glm::vec<4, T> h = texture_matrix * glm::vec<4, T>(world, T(1));
@@ -94,20 +95,21 @@ template <real T>
 
 }  // namespace detail
 
-/// The taps of the 2002 sample: half a texel off in both directions.
+/// Taps of the 2002 sample: half a texel from the center in x and y.
 template <real T>
 inline const std::array<glm::vec<2, T>, 4> default_taps{
     {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
 
-/// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
+/// One texture matrix per tap, for hardware and shaders that cannot offset a projective coordinate afterwards.
 ///
-/// @param texture_matrix   world to texels
-/// @param offsets          of the taps, in texels
-/// @return                 matrices with the offset applied before the division by w: equal in exact arithmetic to
-///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
-///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
+/// @param texture_matrix   matrix from the world to texels
+/// @param offsets          offsets of the taps, in texels
+/// @return                 matrices that apply the offset before the division by w. In exact arithmetic that equals
+///                         adding it afterwards
+/// @throws std::invalid_argument  a matrix that would not be finite
 /// @formula                translate(offset) * texture_matrix
-/// @throws std::invalid_argument  a matrix that is not finite
+/// @accuracy               in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w, the sum of the magnitudes
+///                         behind a coordinate. The worst error seen is 4.5 ulp; tap_coordinate stays closer
 /// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
 template <real T>
 [[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
@@ -125,9 +127,9 @@ template <real T>
     return taps;
 }
 
-/// A world position through a texture matrix; the vertex shader's part.
-/// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
-///                `precise` were seen to keep, where they move m[3] forward from the end
+/// World position times a texture matrix: the vertex shader's part.
+/// @formula       m[3] + m[0] x + m[1] y + m[2] z, summed from left to right. GLSL compilers were seen to keep this
+///                order without `precise`. They move an m[3] at the end to the front
 /// @exactness     B, n = 6
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
@@ -137,9 +139,11 @@ template <real T>
     return c;
 }
 
-/// A tap's coordinate from the middle's: what the tap's own matrix would have given.
-/// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
-/// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
+/// Coordinate of a tap from that of the center: the result of the tap's own matrix, without the matrix.
+/// @param coordinate   result of shadow_coordinate, before the division by w
+/// @param offset       offset of the tap, in texels
+/// @return             coordinate before the division by w
+/// @accuracy           after the division, within 3 ulp of adding the offset afterwards (worst seen 1.9)
 /// @formula            (x + offset.x w, y + offset.y w, z, w)
 /// @exactness          B, n = 2
 template <real T>
@@ -147,9 +151,9 @@ template <real T>
     return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
 }
 
-/// The division: what filters take.
-/// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
-///                which every filter takes as lit
+/// Coordinate after the division by w, as filters take it.
+/// @return        x and y in texels, z depth
+/// @edge          w <= 0 (not in front of the light) or NaN in w: (65536, 65536, 0), which every filter takes as lit
 /// @exactness     C, n = 3: divisions. S = the result's magnitude
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
@@ -161,11 +165,11 @@ namespace glsl {
 
 inline constexpr snippet shadow_coordinate{
     .name = "shadow_coordinate",
-    .summary = "world to texels and depth, before the division",
+    .summary = "world to texels and depth, before the division by w",
     .exactness = tier::b,
     .operations = 6,
     .source = R"GLSL(
-// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+// umbrage_shadow_coordinate: texture matrix times world position: (x w, y w, depth w, w), x and y in texels
 UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
     return c;
@@ -175,11 +179,11 @@ UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP
 
 inline constexpr snippet tap_coordinate{
     .name = "tap_coordinate",
-    .summary = "a tap's coordinate from the middle's, before the division",
+    .summary = "coordinate of a tap from the center's, before division by w",
     .exactness = tier::b,
     .operations = 2,
     .source = R"GLSL(
-// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+// umbrage_tap_coordinate: coordinate before the division by w, moved by offset texels
 UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
     return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
@@ -189,11 +193,11 @@ UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE
 
 inline constexpr snippet project_coordinate{
     .name = "project_coordinate",
-    .summary = "the division by w, lit behind the light",
+    .summary = "division by w; lit behind the light",
     .exactness = tier::c,
     .operations = 3,
     .source = R"GLSL(
-// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+// umbrage_project_coordinate: x and y in texels, and depth; w <= 0.0 gives a coordinate that every filter takes as lit
 UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
     UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
     return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
