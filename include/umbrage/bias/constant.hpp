@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A receiver moved towards the light, which is what every bias in depth comes to.
+// Constant depth bias: a receiver moved towards the light. All depth biases end in this step.
 //
-//     float receiver = umbrage::biased(p.z, bias, filter.is_lit);  // p.z - bias, or p.z + bias where depth is reversed
+//     float receiver = umbrage::biased(p.z, bias, filter.is_lit);  // p.z - bias, or p.z + bias for reversed depth
+//
+// See also: acne_free.hpp for the size of the bias; rasterizer.hpp to bias the casters instead.
 //
 #pragma once
 
@@ -12,8 +14,8 @@
 
 namespace umbrage {
 
-/// A bias in depth within its range: with 1 nothing is in shadow, so that no bias need be greater.
-/// @return        0 below 2^-64, so that no denormal counts; 1 from 1 up, and for NaN
+/// Depth bias clamped to [0, 1]. A bias of 1 already removes all shadows.
+/// @edge          below 2^-64: 0, so that no denormal counts. NaN: 1
 /// @exactness     A: selects
 template <real T>
 [[nodiscard]] constexpr T clamp_bias(T bias) {
@@ -21,13 +23,15 @@ template <real T>
     return clamped < T(0x1p-64) ? T(0) : clamped;
 }
 
-/// A receiver moved towards the light; the direction of depth is the comparison's.
+/// Receiver moved towards the light.
 ///
-/// @param receiver   depth; NaN stays NaN, in shadow
-/// @param bias       in depth: towards the light above 0, away from it below; of 2^64 and more, and NaN: none
-/// @param is_lit     less_equal, greater_equal or comparison: comparison{encoding.direction}, or the is_lit of a filter
-/// @return           the receiver that a filter compares
-/// @formula          receiver - bias; receiver + bias where depth is reversed
+/// @param receiver   receiver depth
+/// @param bias       depth units: above 0 towards the light, below 0 away from it
+/// @param is_lit     gives the direction of depth: less_equal, greater_equal, comparison{encoding.direction}, or the
+///                   is_lit of a filter
+/// @return           receiver depth for the filter's comparison
+/// @edge             NaN receiver: NaN, in shadow. Bias NaN, or of magnitude 2^64 or more: not applied
+/// @formula          receiver - bias; receiver + bias for reversed depth
 /// @exactness        B, n = 1: one sum
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr T biased(T receiver, T bias, const Compare& is_lit = {}) {
@@ -40,10 +44,10 @@ namespace glsl {
 
 inline constexpr snippet clamp_bias{
     .name = "clamp_bias",
-    .summary = "clamp of a bias to [0, 1], NaN to 1",
+    .summary = "clamp of a bias to [0, 1]; NaN becomes 1",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+// umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 UMBRAGE_HIGHP float umbrage_clamp_bias(UMBRAGE_HIGHP float bias) {
     UMBRAGE_HIGHP float least = (1.0 / 18446744073709551616.0);
     return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
@@ -58,7 +62,7 @@ inline constexpr snippet biased{
     .operations = 1,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+// umbrage_biased: receiver moved towards the light by bias, in depth; no move for NaN, or magnitudes of 2^64 or more
 UMBRAGE_HIGHP float umbrage_biased(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float bias) {
     UMBRAGE_HIGHP float by = abs(bias) < 18446744073709551616.0 ? bias : 0.0;
     return umbrage_cleared_depth() > 0.5 ? receiver - by : receiver + by;

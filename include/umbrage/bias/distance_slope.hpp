@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Slope of a plane in a dual paraboloid map: the change of distance from the light, from one texel to the next. Depths
-// are distances there, so that plane_slope does not hold.
+// Slope of a plane in a dual paraboloid map, where depth is the distance from the light: its change per texel.
+// Use it there in place of plane_slope.
 //
 //     glm::vec2 slope = umbrage::dual_paraboloid_slope(world - light.position, normal, 2.0f / (light.range * inner));
 //     float bias = umbrage::acne_free_bias(slope, filter.reach() + umbrage::tessellation_reach<float>, error);
@@ -19,18 +19,19 @@
 
 namespace umbrage {
 
-/// Error, in texels, of places in a dual paraboloid map whose mesh tessellate has cut: add it to a filter's reach.
+/// Position error in texels of a tessellated mesh in a dual paraboloid map. Add it to a filter's reach.
 template <real T>
 inline constexpr T tessellation_reach = T(0.825);
 
-/// The greatest change of distance from one texel to the next, shared by both axes: |x| + |y| is what it is diagonally.
+/// Largest change of distance per texel, shared equally by both axes: |x| + |y| is the change along the diagonal.
 ///
-/// @param way         from the light to the receiver, of length 1e-18 to 1e18
-/// @param normal      of the surface, of any length; zero: a caller who has none
+/// @param way         vector from the light to the receiver, of length 1e-18 to 1e18
+/// @param normal      surface normal, any length. Zero: the caller has none
 /// @param per_texel   2 / (range (map_size - 2 border)) of the light
-/// @return            (s, s), s 0 .. 2; 2 where the light sees the plane edge-on, and for NaN; 0 for a normal of zero
-/// @formula           s = sqrt(1/2) per_texel (|p| + |p.z|) |n x p| / |n . p|: a texel is 2 (1 + |p.z| / |p|) /
-///                    (map_size - 2 border) radians wide, and distance grows by |p| tan(angle of n and p) a radian
+/// @return            slope (s, s), s from 0 to 2
+/// @edge              plane seen edge-on by the light, or NaN: s = 2. Zero normal: s = 0
+/// @formula           s = sqrt(1/2) per_texel (|p| + |p.z|) |n x p| / |n . p|. A texel is 2 (1 + |p.z| / |p|) /
+///                    (map_size - 2 border) radians wide. Distance grows by |p| tan(angle of n and p) per radian
 /// @exactness         C, n = 41: square roots and a division. S(n . p) / |n . p| counts as one value more
 template <real T>
 [[nodiscard]] glm::vec<2, T> dual_paraboloid_slope(glm::vec<3, T> way, glm::vec<3, T> normal, T per_texel) {
@@ -50,13 +51,15 @@ namespace glsl {
 
 inline constexpr snippet dual_paraboloid_slope{
     .name = "dual_paraboloid_slope",
-    .summary = "change of distance from texel to texel of a paraboloid's map",
+    .summary = "change of distance per texel in a dual paraboloid map",
     .exactness = tier::c,
     .operations = 41,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
-// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
-//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+// umbrage_dual_paraboloid_slope: change of distance per texel, the same in x and y; 0.0 without a normal
+//   way        from the light to the receiver
+//   normal     surface normal
+//   per_texel  2.0 / (range * (size - 2.0 * border))
 UMBRAGE_HIGHP vec2 umbrage_dual_paraboloid_slope(UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal,
                                                  UMBRAGE_HIGHP float per_texel) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float square = way.x * way.x + way.y * way.y + way.z * way.z;

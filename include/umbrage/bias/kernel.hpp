@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// A bias that grows with the filter's kernel and the angle at which light falls, from a surface's normal.
+// Bias from a surface's normal that grows with the filter kernel and the light's angle of incidence.
 //
 //     float width = umbrage::offset_width(filter.reach(), umbrage::texels_to_world(1.0f, units, w));
 //     float world = umbrage::kernel_bias(normal, light_direction, way, width, 20.0f);  // way as for normal_offset
 //     float bias = umbrage::world_to_depth(world, units, w);
 //
+// See also: acne_free.hpp, from a plane's slope; normal_offset.hpp, which moves the receiver along its normal.
 #pragma once
 
 #include <cmath>
@@ -17,17 +18,18 @@
 
 namespace umbrage {
 
-/// How far along the light a filter's kernel reaches before a surface's plane.
+/// Distance along the light that a filter's kernel extends beyond a surface's plane, towards the light.
 ///
-/// @param normal      of the surface, of any length, on the side that is seen
-/// @param direction   of the light, a spot's axis, of length one
-/// @param way         from the light to the point over w; for a directional light its direction once more
-/// @param width       of the kernel, offset_width, in world units; or in depth: the result is in the same
-/// @param greatest    tangent from which on the bias grows no more, >= 0
-/// @return            2^-64 to 2^64; width greatest where light grazes or comes from behind, for a normal of zero and
-///                    NaN; 0 for what is not
-/// @formula           width min(|normal x direction| / -(normal . way), greatest), a tangent: up to the greatest one,
-///                    acne_free_bias without its constant part, times 1 to sqrt(2), whichever way the plane is turned
+/// @param normal      surface normal, any length, on the visible side
+/// @param direction   direction of the light, or of a spot's axis, of length one
+/// @param way         vector from the light to the point over w; for a directional light its direction again
+/// @param width       half diagonal of the kernel, from offset_width, in world units or in depth
+/// @param greatest    limit of the tangent, above which the bias does not grow, >= 0
+/// @return            bias in the unit of width, 2^-64 to 2^64
+/// @edge              grazing light, light from behind, zero normal, or NaN: width greatest. Result out of range: 0
+/// @formula           width min(|normal x direction| / -(normal . way), greatest)
+/// @accuracy          up to the limit, 1 to sqrt(2) times acne_free_bias without its constant part. The factor depends
+///                    on the rotation of the plane
 /// @detaches          casters nearer than the bias along the light lose their shadow: at most width greatest
 /// @exactness         C, n = 30: a square root and a division. S = width s^2 c / (|normal x direction| (normal .
 ///                    way)^2) with s, c for |normal x direction|, |normal . way| of magnitudes and pluses
@@ -47,13 +49,16 @@ namespace glsl {
 
 inline constexpr snippet kernel_bias{
     .name = "kernel_bias",
-    .summary = "bias by the kernel's width and the angle at which light falls",
+    .summary = "bias from kernel width and angle of the light",
     .exactness = tier::c,
     .operations = 30,
     .source = R"GLSL(
-// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
-//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
-//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+// umbrage_kernel_bias: distance along the light that a kernel extends beyond a surface's plane, in width's unit
+//   normal     surface normal
+//   direction  direction of the light, of length one
+//   way        from the light to the point over w; for a directional light its direction
+//   width      sqrt(2) reach texel
+//   greatest   limit of the tangent
 UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 way,
                                         UMBRAGE_HIGHP float width, UMBRAGE_HIGHP float greatest) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Texels, world units and depth, each in the others, at a point that a light sees: directional or spot, by one formula.
+// Conversion between texels, world units and depth at a point, for directional and spot lights alike.
 //
 //     glm::vec2 units = umbrage::make_light_units(light, map.size());
 //     float w = umbrage::shadow_coordinate(to_texels, world).w;  // 1 for a directional light
-//     float bias = umbrage::world_to_depth(0.02f, units, w);     // two centimetres
+//     float bias = umbrage::world_to_depth(0.02f, units, w);     // two centimeters
 //
-// Across the light a texel's footprint grows with w, the distance along a spot's axis; depth grows by less and less a
-// world unit, as 1 / w^2. A directional light has w = 1 everywhere.
+// A texel's footprint across the light grows with w, the distance along a spot's axis. Depth per world unit falls with
+// 1 / w^2. A directional light has w = 1 everywhere.
 //
-// In a warped map both change from point to point, and depth from texel to texel at one distance too: it drifts. A bias
-// in world units there moves the point that is looked up, the same way everywhere and in every dialect:
+// In a warped map both change from point to point. Depth also drifts: it changes from texel to texel at one distance.
+// There a bias in world units moves the point before its lookup, in the same way in every GLSL dialect:
 //
 //     auto here = umbrage::light_units_at(to_texels, light_direction, world);
 //     float width = umbrage::offset_width(filter.reach(), here.units.x);
@@ -18,7 +18,7 @@
 //                        filter.reach() * here.drift_world;
 //     glm::vec4 looked_up = umbrage::shadow_coordinate(to_texels, world - bias_world * light_direction);
 //
-// acne_free_bias by plane_slope, in shaders too, has no need of this.
+// acne_free_bias with plane_slope does not need this, in shaders either.
 #pragma once
 
 #include <cmath>
@@ -38,13 +38,13 @@
 
 namespace umbrage {
 
-/// A light's measures at w = 1.
+/// World size of a texel and depth per world unit, for a light at w = 1.
 ///
-/// @param light      whose view is a rotation, not warped
-/// @param map_size   texels, each >= 1
-/// @return           x: edge of a texel's footprint across the light, world units, the longer where they differ;
-///                   y: depth a world unit along the light, where it is z/w
-/// @throws std::invalid_argument  map_size below 1, a warped map, or measures that are not finite and above 0
+/// @param light      light without a warp
+/// @param map_size   map size in texels, each >= 1
+/// @return           x: longer edge of a texel's footprint across the light, world units.
+///                   y: depth z/w per world unit along the light
+/// @throws std::invalid_argument  map_size below 1; clip unset; a warped map; units that are not finite and above 0
 template <real T>
 [[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
     constexpr auto function = "make_light_units";
@@ -66,19 +66,20 @@ template <real T>
 
 template <real T>
 struct light_measures {
-    glm::vec<2, T> units{T(0)};  ///< as make_light_units, for a w of 1 whatever the point's own is; the edge is the
-                                 ///< longest that a texel's footprint across the light is
-    T drift_world = T(0);        ///< by how much depth changes at one distance along the light over a texel in x and
-                                 ///< one in y, world units; 0 unless the map is warped
+    glm::vec<2, T> units{T(0)};  ///< as from make_light_units, for a w of 1 at every point. x is the longest edge of
+                                 ///< the texel's footprint across the light
+    T drift_world = T(0);        ///< change of depth at one distance along the light, over one texel in x and one in y,
+                                 ///< world units; 0 unless the map is warped
 };
 
-/// A light's measures at a point, of a warped map too.
+/// World size of a texel, depth per world unit, and drift at a point. For warped maps too.
 ///
-/// @param texture_matrix   world to texels
-/// @param direction        of the light, a spot's axis, any length > 0
-/// @param world            the point, where the map's w is above 0
-/// @formula                with J = d(texel) / d(world across the light): 1 / its least singular value; |d(depth) /
-///                         d(world)| along the light; |J^-T d(depth) / d(world across the light)|_1 over that
+/// @param texture_matrix   matrix from the world to texels
+/// @param direction        direction of the light, or of a spot's axis, any length > 0
+/// @param world            world position of the point, where the map's w is above 0
+/// @formula                units.x: 1 / the smallest singular value of J = d(texel) / d(world across the light).
+///                         units.y: |d(depth) / d(world)| along the light.
+///                         drift_world: |J^-T d(depth) / d(world across the light)|_1 / units.y
 template <real T>
 [[nodiscard]] light_measures<T> light_units_at(const glm::mat<4, 4, T>& texture_matrix, glm::vec<3, T> direction,
                                                glm::vec<3, T> world) {
@@ -92,11 +93,12 @@ template <real T>
     return {{longest / area, depth}, drift / depth};
 }
 
-/// Texels across the light as world units.
+/// Length in texels across the light, converted to world units.
 ///
-/// @param units   make_light_units
-/// @param w       of the point's shadow_coordinate
-/// @return        2^-64 to 2^64; 0 for what is not, as for w <= 0, and for NaN
+/// @param units   result of make_light_units
+/// @param w       w of the point's shadow_coordinate
+/// @return        world units, 2^-64 to 2^64
+/// @edge          result out of range, w <= 0, or NaN: 0
 /// @formula       texels units.x w
 /// @exactness     B, n = 2: two products
 template <real T>
@@ -105,13 +107,15 @@ template <real T>
     return !is_nan(world) && world >= T(0x1p-64) && world < T(0x1p64) ? world : T(0);
 }
 
-/// World units along the light as depth, z/w.
+/// Length in world units along the light, converted to depth z/w.
 ///
-/// @param units   make_light_units
-/// @param w       of the point's shadow_coordinate, > 0
-/// @return        0 .. 1; 1 for w = 0 and for NaN
-/// @formula       world units.y / w^2: the slope of z/w at the point; what lies nearer to a spot changes by more, so
-///                that a point moved towards it by `world` has w / (w - world) times that, which covers a bias
+/// @param units   result of make_light_units
+/// @param w       w of the point's shadow_coordinate, > 0
+/// @return        depth, 0 to 1
+/// @edge          w = 0 or NaN: 1
+/// @formula       world units.y / w^2, the slope of z/w at the point
+/// @accuracy      for a spot light, depth changes faster near the light. A point moved towards it by `world` changes
+///                its depth by w / (w - world) times the result, which covers a bias
 /// @exactness     C, n = 5: one division
 template <real T>
 [[nodiscard]] constexpr T world_to_depth(T world, glm::vec<2, T> units, T w) {
@@ -122,12 +126,13 @@ namespace glsl {
 
 inline constexpr snippet texels_to_world{
     .name = "texels_to_world",
-    .summary = "texels across a light as world units",
+    .summary = "texels across a light to world units",
     .exactness = tier::b,
     .operations = 2,
     .source = R"GLSL(
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
-//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+//   units  (edge of a texel, depth per world unit) at w = 1.0
+//   w      w of the point's shadow coordinate
 UMBRAGE_HIGHP float umbrage_texels_to_world(UMBRAGE_HIGHP float texels, UMBRAGE_HIGHP vec2 units,
                                             UMBRAGE_HIGHP float w) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float world = texels * units.x * w;
@@ -138,13 +143,14 @@ UMBRAGE_HIGHP float umbrage_texels_to_world(UMBRAGE_HIGHP float texels, UMBRAGE_
 
 inline constexpr snippet world_to_depth{
     .name = "world_to_depth",
-    .summary = "world units along a light as depth",
+    .summary = "world units along a light to depth",
     .exactness = tier::c,
     .operations = 5,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
 // umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
-//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+//   units  (edge of a texel, depth per world unit) at w = 1.0
+//   w      w of the point's shadow coordinate, above 0.0
 UMBRAGE_HIGHP float umbrage_world_to_depth(UMBRAGE_HIGHP float world, UMBRAGE_HIGHP vec2 units,
                                            UMBRAGE_HIGHP float w) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float along = world * units.y;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The point to look up instead of a surface's own: off it along the normal, by what the surface's tilt asks for.
+// Normal offset bias: moves the receiver off its surface along the normal before the lookup, by the surface's tilt.
 //
 //     float width = umbrage::offset_width(filter.reach(), umbrage::texels_to_world(1.0f, units, w));
 //     glm::vec3 way = spot ? (world - light_position) / w : light_direction;
 //     glm::vec3 point = world + umbrage::normal_offset(normal, light_direction, way, width, 0.0f);
 //
-// In world space, so that the direction of depth does not matter; nothing where the light falls straight on a surface.
+// The offset is in world space, so the direction of depth does not matter. It is 0 where the light hits head-on.
+// Also called: normal bias, normal offset shadows. See also: acne_free.hpp, a bias in depth.
 #pragma once
 
 #include <cmath>
@@ -18,29 +19,32 @@
 
 namespace umbrage {
 
-/// How far along its normal a surface is looked up where light grazes it, so that no plane shadows itself.
-/// @param reach   of the filter, texels, as for acne_free_bias;   texel_world  edge of a texel's footprint
+/// Offset along the normal under grazing light that keeps planes free of shadow acne.
+/// @param reach         filter radius in texels, as for acne_free_bias
+/// @param texel_world   edge of a texel's footprint, world units
 /// @return        world units
-/// @formula       sqrt(2) reach texel_world, the root rounded up: to the corner of what the filter reads
+/// @formula       sqrt(2) reach texel_world with the root rounded up: the distance to the corner of the filter's kernel
 template <real T>
 [[nodiscard]] constexpr T offset_width(T reach, T texel_world) {
     return T(1.4142137) * reach * texel_world;
 }
 
-/// The way from a surface to the point that is looked up in its place.
+/// Offset from a surface point to the point to look up.
 ///
-/// @param normal        of the surface, of length one, on the side that is seen; zero: no offset
-/// @param direction     of the light, a spot's axis, of length one: what a map's texels lie across
-/// @param way           from the light to the point over w, the distance along the axis; for a directional light its
-///                      direction once more
-/// @param width         world units, offset_width
-/// @param error_world   world units along the light that the map's depths are off by, e of acne_free_bias
-/// @return              world units; 0 where it is not finite, or 2^64 and more
-/// @formula             normal (width |normal x direction| + error_world |normal . way|): with t the angle between
-///                      normal and light, d along the normal wins d / cos t along the light, where a texel's step loses
-///                      texel tan t. Enough for a directional light; for a spot where the normal looks against its axis
-/// @detaches            as width tan t + error_world along the light: on a floor beside a wall that stands square to it
-///                      light leaks in for up to width tan t sin t
+/// @param normal        surface normal of length one, on the visible side. Zero: no offset
+/// @param direction     direction of the light, or of a spot's axis, of length one. The texels lie across it
+/// @param way           vector from the light to the point over w, the distance along the axis; for a directional light
+///                      its direction again
+/// @param width         result of offset_width, world units
+/// @param error_world   error of the map's depths along the light, world units; see error of acne_free_bias
+/// @return              world units
+/// @edge                result not finite, or 2^64 or more: 0
+/// @formula             normal (width |normal x direction| + error_world |normal . way|)
+/// @accuracy            let t be the angle between normal and light. An offset d gains d / cos t along the light, and a
+///                      texel's step loses texel tan t. The offset suffices for a directional light. For a spot light
+///                      it suffices where the normal points against the axis
+/// @detaches            as a bias of width tan t + error_world along the light. On a floor at the foot of an upright
+///                      wall, light leaks into a strip of up to width tan t sin t
 /// @exactness           C, n = 91: a square root. S = |normal| (width s^2 / |normal x direction| + error_world c), with
 ///                      s, c for |normal x direction|, |normal . way| of magnitudes and pluses
 template <real T>
@@ -53,7 +57,7 @@ template <real T>
     const T along = width * std::sqrt(x * x + y * y + z * z) + error_world * std::abs(straight);
     const glm::vec<3, T> offset = normal * along;
     const T extent = std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z);
-    const bool finite = !is_nan(extent) & (extent < T(0x1p64));  // no branch: loops become vectors
+    const bool finite = !is_nan(extent) & (extent < T(0x1p64));  // no branch, so that loops vectorize
     return {finite ? offset.x : T(0), finite ? offset.y : T(0), finite ? offset.z : T(0)};
 }
 
@@ -61,13 +65,16 @@ namespace glsl {
 
 inline constexpr snippet normal_offset{
     .name = "normal_offset",
-    .summary = "way off a surface to the point that is looked up in its place",
+    .summary = "offset along the normal to the point to look up",
     .exactness = tier::c,
     .operations = 91,
     .source = R"GLSL(
-// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
-//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
-//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+// umbrage_normal_offset: offset to add to a surface point before its lookup, world units
+//   normal       surface normal, of length one
+//   direction    direction of the light, of length one
+//   way          from the light to the point over w; for a directional light its direction
+//   width        sqrt(2) reach texel
+//   error_world  error of the map's depths, world units
 UMBRAGE_HIGHP vec3 umbrage_normal_offset(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction,
                                          UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP float width,
                                          UMBRAGE_HIGHP float error_world) {

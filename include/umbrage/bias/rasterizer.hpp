@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The bias that the depth pass adds to casters, as the numbers that each API's rasterizer takes: with them no plane
-// shadows itself under a filter, and receivers need no bias of their own.
+// Slope-scaled depth bias of the rasterizer, in each API's numbers: the depth pass moves casters away from the light.
+// With it no plane has shadow acne under a filter, and receivers need no bias of their own.
 //
 //     auto [factor, units, clamp] = umbrage::make_polygon_offset({.reach = filter.reach()});
 //     glPolygonOffset(factor, units);
 //
-// Rasterizers multiply by the greater slope of depth, |a| or |b|, where a filter needs |a| + |b|; and by a step of the
-// depth buffer, which in one of floats is that of the primitive's greatest depth.
+// Rasterizers multiply by the larger slope of depth, |a| or |b|, but a filter needs |a| + |b|. They also multiply by a
+// step of the depth buffer. In a float buffer that is the step at the primitive's largest depth.
+// Also called: polygon offset, glPolygonOffset, vkCmdSetDepthBias, SlopeScaledDepthBias.
 #pragma once
 
 #include <cmath>
@@ -20,14 +21,14 @@
 
 namespace umbrage {
 
-enum class depth_format { unorm16, unorm24, float32 };  ///< of the depth buffer
+enum class depth_format { unorm16, unorm24, float32 };  ///< format of the depth buffer
 
-/// What a rasterizer's bias has to cover.
+/// Bias that the rasterizer has to add.
 struct raster_bias {
-    float reach = 0.5f;         ///< of the filter, texels, as for acne_free_bias
-    float constant = 0x1p-23f;  ///< in depth: the encoding's error and 2^-23
-    float greatest = 0.0f;      ///< no bias is greater, in depth: slopes beyond may shadow themselves; 0: no limit
-    float least_depth = 0.5f;   ///< of a buffer of floats, above 0: primitives all below it get less than `constant`
+    float reach = 0.5f;         ///< filter radius in texels, as for acne_free_bias
+    float constant = 0x1p-23f;  ///< depth units: the encoding's error plus 2^-23
+    float greatest = 0.0f;      ///< limit of the bias in depth, 0 for none. Steeper slopes may have acne
+    float least_depth = 0.5f;   ///< float buffers: primitives wholly below this depth get less than `constant`; > 0
     depth_format format = depth_format::unorm24;
     depth_direction direction = depth_direction::forward;
 };
@@ -37,12 +38,12 @@ struct polygon_offset {
     float clamp;          ///< glPolygonOffsetClamp
 };
 
-/// In the order of vkCmdSetDepthBias.
+/// Arguments of vkCmdSetDepthBias, in order.
 struct vulkan_depth_bias {
     float constant_factor, clamp, slope_factor;
 };
 
-/// Of D3D11_RASTERIZER_DESC and D3D12_RASTERIZER_DESC.
+/// Members of D3D11_RASTERIZER_DESC and D3D12_RASTERIZER_DESC.
 struct direct3d_depth_bias {
     std::int32_t depth_bias;
     float depth_bias_clamp, slope_scaled_depth_bias;
@@ -50,7 +51,7 @@ struct direct3d_depth_bias {
 
 namespace detail {
 
-/// In steps of the depth buffer, rounded up, towards the far plane.
+/// Bias towards the far plane, in steps of the depth buffer, rounded up.
 [[nodiscard]] inline vulkan_depth_bias raster_numbers(const raster_bias& bias, const char* function) {
     const auto not_negative = [](float v) { return is_finite(v) && v >= 0.0f; };
     require(not_negative(bias.reach) && is_finite(2.0f * bias.reach), function, "reach", "finite, 0 or more",
@@ -71,24 +72,24 @@ namespace detail {
 
 }  // namespace detail
 
-/// For glPolygonOffset, where GL_POLYGON_OFFSET_FILL is on.
-/// @return        factor 2 reach, units constant / step, both negative where depth is reversed
-/// @throws std::invalid_argument  what is not finite or negative, a least_depth outside (0, 1]
+/// Arguments of glPolygonOffset, for GL_POLYGON_OFFSET_FILL.
+/// @return        factor 2 reach, units constant / step, both negative for reversed depth
+/// @throws std::invalid_argument  values that are negative or not finite; a least_depth outside (0, 1]
 [[nodiscard]] inline polygon_offset make_polygon_offset(const raster_bias& bias) {
     const auto numbers = detail::raster_numbers(bias, "make_polygon_offset");
     return {numbers.slope_factor, numbers.constant_factor, numbers.clamp};
 }
 
-/// For vkCmdSetDepthBias; a clamp other than 0 needs the feature depthBiasClamp.
-/// @return        the same numbers
+/// Arguments of vkCmdSetDepthBias. A clamp other than 0 needs the feature depthBiasClamp.
+/// @return        the same numbers as make_polygon_offset
 /// @throws std::invalid_argument  as make_polygon_offset
 [[nodiscard]] inline vulkan_depth_bias make_vulkan_depth_bias(const raster_bias& bias) {
     return detail::raster_numbers(bias, "make_vulkan_depth_bias");
 }
 
-/// For Direct3D's rasterizer state.
-/// @return        the same numbers, the constant as a whole one
-/// @throws std::invalid_argument  as make_polygon_offset, and for more than 2^31 - 128 steps
+/// Members of Direct3D's rasterizer state.
+/// @return        the same numbers as make_polygon_offset, the constant as an integer
+/// @throws std::invalid_argument  as make_polygon_offset, and more than 2^31 - 128 steps
 [[nodiscard]] inline direct3d_depth_bias make_direct3d_depth_bias(const raster_bias& bias) {
     const auto numbers = detail::raster_numbers(bias, "make_direct3d_depth_bias");
     detail::require(std::abs(numbers.constant_factor) < 0x1p31f, "make_direct3d_depth_bias", "constant and least_depth",

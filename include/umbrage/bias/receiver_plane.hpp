@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The receiver's own plane: every texel is compared with the depth that the plane has at the texel's center, so that no
-// reach of a filter needs a bias. The slope comes from the plane (plane_slope), or from derivatives across the screen.
+// Receiver plane depth bias: each texel is compared with the depth of the receiver's plane at the texel's center.
+// So a filter of any reach needs no bias. The slope comes from plane_slope or from screen-space derivatives.
 //
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
 //     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
-// In a shader bind the filter with {.receiver_plane = true}: behind the map it takes slope and coord then.
-//
+// In a shader bind the filter with {.receiver_plane = true}. It then takes slope and coord after the map.
+// Also called: receiver plane bias, RPDB. See also: acne_free.hpp, one bias for the whole kernel.
 #pragma once
 
 #include <concepts>
@@ -22,15 +22,16 @@
 
 namespace umbrage {
 
-/// The plane through a receiver and its neighbors on the screen.
+/// Slope of the plane through a receiver and its neighbors on the screen.
 ///
-/// @param dx, dy   derivatives of (x and y in texels, depth) along the screen: dFdx, dFdy, taken outside of branches
-/// @return         x, y: change of depth from one texel to the next, as plane_slope; z: how far the sum of both may be
-///                 off, the bias a texel of reach that is left to add: acne_free_bias({z, 0}, reach, error).
-///                 (0, 0, 0), a plane that faces the light, where the texels of a pixel are nearly in line or fewer
-///                 than 2^-10, so that nothing is known of the slope; and for NaN
-/// @formula        by Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096,
-///                 with s / |determinant|, s the sum of the four magnitudes, for 1 / least texels a pixel
+/// @param dx, dy   derivatives of (x and y in texels, depth) on the screen: dFdx and dFdy, taken outside of branches
+/// @return         x, y: change of depth per texel, as from plane_slope. z: largest error of their sum. It is the bias
+///                 that is left to add per texel of reach: acne_free_bias({z, 0}, reach, error)
+/// @edge           NaN, a pixel whose texels are nearly in line, or fewer than 2^-10 texels per pixel: (0, 0, 0). The
+///                 slope is then unknown, and the plane counts as facing the light
+/// @formula        Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096.
+///                 s is the sum of the four magnitudes. s / |determinant| bounds 1 / the smallest number of texels per
+///                 pixel
 /// @exactness      C, n = 31: divisions. S of x = (|dy.y dx.z| + |dx.y dy.z|) d / determinant^2, of y likewise, of z =
 ///                 3.3 (2^-25 + (S(x) + S(y)) 2^-13) s d / determinant^2, d = |dx.x dy.y| + |dx.y dy.x|
 /// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
@@ -48,13 +49,15 @@ template <real T>
     return {a, b, clamp_slope(off * (sum / magnitude(determinant)))};
 }
 
-/// A stored depth as the receiver's own texel would hold it: moved along the receiver's plane to the receiver.
+/// Stored depth, moved along the receiver's plane from its texel to the receiver.
 ///
 /// @param stored   depth from the map
-/// @param slope    of the receiver's plane, a texel, -2 .. 2
-/// @param coord    receiver in texels;   texel  whose depth is stored
-/// @param cleared  depth of the far plane: 1, or 0 where depth is reversed
-/// @return         what to compare with the receiver; a cleared texel, and what is nearer than 2^-64 to one, stays
+/// @param slope    slope of the receiver's plane, depth per texel, -2 to 2
+/// @param coord    receiver position in the map, in texels
+/// @param texel    index of the stored depth's texel
+/// @param cleared  depth of the far plane: 1, or 0 for reversed depth
+/// @return         depth to compare with the receiver
+/// @edge           stored depth within 2^-64 of cleared: unchanged
 /// @formula        stored - slope . (texel + 1/2 - coord)
 /// @exactness      B, n = 8
 template <real T>
@@ -66,9 +69,10 @@ template <real T>
     return is_cleared ? stored : stored - (slope.x * x + slope.y * y);
 }
 
-/// The same of all texels, as the fetch callable that filters take.
-/// @param fetch       ivec2 texel -> stored depth;   coord  that the filter is called with
-/// @param direction   of the map's depth, which says what it is cleared to
+/// Fetch callable that applies the receiver's plane to every texel.
+/// @param fetch       ivec2 texel -> stored depth
+/// @param coord       position that the filter is called with, in texels
+/// @param direction   depth direction of the map, which gives its cleared depth
 template <std::invocable<glm::ivec2> Fetch>
 [[nodiscard]] auto apply_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
                                         depth_direction direction = depth_direction::forward) {
@@ -81,13 +85,13 @@ namespace glsl {
 
 inline constexpr snippet receiver_plane_slope{
     .name = "receiver_plane_slope",
-    .summary = "slope of a receiver's plane from derivatives, and how far it may be off",
+    .summary = "slope of a receiver's plane from derivatives, and its error",
     .exactness = tier::c,
     .operations = 31,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
-// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
-//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+// umbrage_receiver_plane_slope: change of a receiver's depth per texel in x and y, and the largest error of their sum
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); the result is zero where they do not give the plane
 UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
@@ -106,13 +110,16 @@ UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_H
 
 inline constexpr snippet apply_receiver_plane{
     .name = "apply_receiver_plane",
-    .summary = "stored depth moved along the receiver's plane to the receiver",
+    .summary = "stored depth moved along the receiver's plane to it",
     .exactness = tier::b,
     .operations = 8,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
-//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+// umbrage_apply_receiver_plane: a texel's depth moved along the receiver's plane to the receiver; not if cleared
+//   stored  depth of the texel
+//   slope   slope of the receiver's plane, per texel
+//   coord   receiver position, in texels
+//   texel   index of the texel
 UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
                                               UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// How depth changes from texel to texel where a map sees a plane, and the slope-scaled bias that rasterizers have.
+// Slope of a plane in the map, its change of depth per texel, and the slope-scaled bias of rasterizers.
 //
 //     glm::mat4 planes = umbrage::plane_matrix(umbrage::texture_matrix(light, map.size()));  // for planes, not points
 //     glm::vec2 slope = umbrage::plane_slope(planes, normal, world);
 //     float bias = umbrage::slope_bias(slope, 1.0f, 0.0005f);
 //
+// See also: acne_free.hpp for the smallest bias; distance_slope.hpp for dual paraboloid maps.
 #pragma once
 
 #include <cmath>
@@ -24,23 +25,24 @@
 
 namespace umbrage {
 
-/// What sends planes where a texture matrix sends their points; a map sees a plane as a plane, spot or not.
+/// Matrix that transforms planes as a texture matrix transforms points. A plane stays a plane, under a spot light too.
 ///
-/// @param texture_matrix   world to texels
-/// @return                 for plane_slope; the inverse is taken in double
+/// @param texture_matrix   matrix from the world to texels
+/// @return                 matrix for plane_slope; the inverse is computed in double
 /// @throws std::invalid_argument  a matrix without an inverse, or not finite
 /// @formula                transpose(inverse(texture_matrix))
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix) {
-    using wide = std::common_type_t<T, double>;  // double, known where this is called: GLM's matrices cost to compile
+    using wide = std::common_type_t<T, double>;  // double, but dependent: GLM's matrices cost compile time
     const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
     detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
                     "finite, with a finite inverse", texture_matrix);
     return m;
 }
 
-/// A slope within what a bias tells apart.
-/// @return        -2 .. 2, 2 for NaN: with a reach of half a texel up, acne_free_bias is 1 from 2 on
+/// Slope clamped to the range that matters to a bias.
+/// @return        slope from -2 to 2. With a reach of half a texel or more, acne_free_bias is 1 from 2 on
+/// @edge          NaN: 2
 /// @exactness     A: selects
 template <real T>
 [[nodiscard]] constexpr T clamp_slope(T slope) {
@@ -48,12 +50,13 @@ template <real T>
     return slope > T(-2) ? (slope < T(2) ? slope : T(2)) : T(-2);
 }
 
-/// Change of depth from one texel to the next, of the plane through a world.
+/// Change of depth per texel of the plane through a world position.
 ///
-/// @param plane_matrix   of the texture matrix
-/// @param normal         of the plane, world, of any length
-/// @param world          a point on the plane
-/// @return               slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on and for NaN
+/// @param plane_matrix   plane_matrix of the texture matrix
+/// @param normal         normal of the plane, world, any length
+/// @param world          world position of a point on the plane
+/// @return               slope in x and y, each -2 to 2
+/// @edge                 plane seen edge-on by the light, or NaN: 2
 /// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
 /// @exactness            C, n = 27: two divisions. S = S(q.xy) S(q.z) / q.z^2, S(q) of the product's magnitudes
 template <real T>
@@ -67,9 +70,10 @@ template <real T>
     return {clamp_slope(-q.x / q.z), clamp_slope(-q.y / q.z)};
 }
 
-/// Change of a receiver's depth from one texel to the next.
-/// @param normal   of the surface, any length; zero: a caller who has none, and biases in the depth pass
-/// @return         plane_slope; (0, 0) for a normal of zero
+/// Change of a receiver's depth per texel.
+/// @param normal   surface normal, any length. Zero: the caller has none, and biases in the depth pass
+/// @return         slope as from plane_slope
+/// @edge           zero normal: (0, 0)
 /// @exactness      C, n = 27: S as plane_slope
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
@@ -78,10 +82,11 @@ template <real T>
     return none ? glm::vec<2, T>(T(0), T(0)) : plane_slope(plane_matrix, normal, world);
 }
 
-/// The same in a cascade, where world and texels differ by a rotation, a scale and an offset.
-/// @param normal   of the surface, rotated into the light's directions, of any length; zero: a caller who has none
-/// @param scale    of the cascade
-/// @return         slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on, and for NaN
+/// Change of a receiver's depth per texel in a cascade, where texels are world positions rotated, scaled and offset.
+/// @param normal   surface normal, rotated into the light's axes, any length. Zero: the caller has none
+/// @param scale    scale of the cascade
+/// @return         slope in x and y, each -2 to 2
+/// @edge           plane seen edge-on by the light, or NaN: 2. Zero normal: (0, 0)
 /// @formula        -normal.xy scale.z / (normal.z scale.xy)
 /// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
 template <real T>
@@ -91,14 +96,15 @@ template <real T>
             clamp_slope(normal.y * -scale.z / (normal.z * scale.y))};
 }
 
-/// The bias that rasterizers know, in a shader: so much a slope, on a base.
+/// Slope-scaled bias of rasterizers, computed in a shader.
 ///
-/// @param slope      change of depth from one texel to the next
-/// @param factor     texels
-/// @param base       depth
-/// @return           0 .. 1; 1 for NaN
-/// @formula          factor max(|slope.x|, |slope.y|) + base; with a factor of twice a filter's reach it is at
-///                   least acne_free_bias, as |slope.x| + |slope.y| <= 2 max(|slope.x|, |slope.y|)
+/// @param slope      change of depth per texel
+/// @param factor     factor of the slope, in texels
+/// @param base       constant bias, in depth
+/// @return           bias in depth, 0 to 1
+/// @edge             NaN: 1
+/// @formula          factor max(|slope.x|, |slope.y|) + base. With a factor of 2 reach it is at least acne_free_bias,
+///                   since |slope.x| + |slope.y| <= 2 max(|slope.x|, |slope.y|)
 /// @exactness        B, n = 2
 template <real T>
 [[nodiscard]] constexpr T slope_bias(glm::vec<2, T> slope, T factor, T base) {
@@ -111,10 +117,10 @@ namespace glsl {
 
 inline constexpr snippet clamp_slope{
     .name = "clamp_slope",
-    .summary = "clamp of a slope to [-2, 2], NaN to 2",
+    .summary = "clamp of a slope to [-2, 2]; NaN becomes 2",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
     return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
@@ -123,13 +129,15 @@ UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
 
 inline constexpr snippet plane_slope{
     .name = "plane_slope",
-    .summary = "change of a plane's depth from texel to texel",
+    .summary = "change of a plane's depth per texel",
     .exactness = tier::c,
     .operations = 27,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
-// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
-//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
 UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                        UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
@@ -142,12 +150,12 @@ UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_
 
 inline constexpr snippet receiver_slope{
     .name = "receiver_slope",
-    .summary = "change of a receiver's depth from texel to texel",
+    .summary = "change of a receiver's depth per texel",
     .exactness = tier::c,
     .operations = 27,
     .needs = list<&plane_slope>,
     .source = R"GLSL(
-// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
@@ -159,13 +167,14 @@ UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRA
 
 inline constexpr snippet cascade_slope{
     .name = "cascade_slope",
-    .summary = "change of a plane's depth from texel to texel of a cascade",
+    .summary = "change of a plane's depth per texel in a cascade",
     .exactness = tier::c,
     .operations = 6,
     .needs = list<&clamp_slope>,
     .source = R"GLSL(
-// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
-//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+// umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
+//   normal  surface normal, rotated into the light's axes
+//   scale   scale of the cascade
 UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
@@ -178,17 +187,19 @@ UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGH
 
 inline constexpr snippet slope_bias{
     .name = "slope_bias",
-    .summary = "bias by the greater slope, as rasterizers have it",
+    .summary = "slope-scaled bias, as rasterizers compute it",
     .exactness = tier::b,
     .operations = 2,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
-// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
-//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+// umbrage_slope_bias: factor times the larger slope, plus a base, 0.0 to 1.0
+//   slope   change of depth per texel
+//   factor  factor of the slope, in texels
+//   base    constant bias, in depth
 UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float factor,
                                        UMBRAGE_HIGHP float base) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 bias = abs(slope) * factor + base;
-    UMBRAGE_HIGHP float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    UMBRAGE_HIGHP float x = umbrage_clamp_bias(bias.x);  // clamp first: GPUs differ in the maximum of a NaN
     UMBRAGE_HIGHP float y = umbrage_clamp_bias(bias.y);
     return x > y ? x : y;
 }
