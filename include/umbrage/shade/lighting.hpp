@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The lighting of the DirectX SDK's ShadowMap sample: a spot cone, diffuse plus ambient. Enough for whole pictures.
+// Lighting of the DirectX SDK's ShadowMap sample: a spot cone, and diffuse plus ambient light.
 //
 //     float cone = umbrage::spot_cone(light_direction, point - light_position, cos_outer_angle);
 //     glm::vec3 color = umbrage::diffuse_ambient(albedo, 0.2f, glm::dot(normal, to_light), visibility * cone);
@@ -14,14 +14,15 @@
 
 namespace umbrage {
 
-/// Whether a point lies inside a spot light's cone.
+/// 1 for points inside a spot light's cone, else 0.
 ///
-/// @param direction   of the light, unit length
-/// @param to_point    from the light to the point, of any length whose square neither overflows nor underflows
+/// @param direction   direction of the light, unit length
+/// @param to_point    vector from the light to the point, of any length whose square neither overflows nor underflows
 /// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
-/// @return            1 inside the cone, 0 outside, at its apex, or for NaN
-/// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test,
-///                    unnormalized
+/// @return            1 inside the cone, 0 outside
+/// @edge              point at the apex, or NaN: 0
+/// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test without its
+///                    normalization
 /// @exactness         B, n = 11
 /// @cite              Microsoft DirectX SDK, ShadowMap sample
 template <real T>
@@ -33,12 +34,13 @@ template <real T>
     return defined && d > T(0) && d * d > edge2 ? T(1) : T(0);
 }
 
-/// Light that a diffuse surface sends to the eye.
+/// Light that a diffuse surface reflects to the eye.
 ///
-/// @param albedo       of the surface
-/// @param ambient      share of light that reaches shadows, in [0, 1]
-/// @param n_dot_l      cosine between normal and direction to the light; from 0 down, and NaN: ambient light alone
-/// @param visibility   of the light, 1 lit
+/// @param albedo       albedo of the surface, RGB
+/// @param ambient      fraction of the light that reaches shadows, in [0, 1]
+/// @param n_dot_l      cosine between the normal and the direction to the light
+/// @param visibility   visibility of the light, 1 = lit
+/// @edge               n_dot_l <= 0 or NaN: ambient light alone
 /// @formula            albedo (visibility n_dot_l (1 - ambient) + ambient) for n_dot_l > 0, else albedo ambient
 /// @exactness          B, n = 5
 /// @cite               Microsoft DirectX SDK, ShadowMap sample
@@ -52,7 +54,7 @@ namespace glsl {
 
 inline constexpr snippet spot_cone{
     .name = "spot_cone",
-    .summary = "1 inside a spot light's cone",
+    .summary = "1 inside a spot light's cone, else 0",
     .exactness = tier::b,
     .operations = 11,
     .source = R"GLSL(
@@ -77,11 +79,12 @@ inline constexpr snippet diffuse_ambient{
     .exactness = tier::b,
     .operations = 5,
     .source = R"GLSL(
-// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
+//   for n_dot_l <= 0.0 and NaN: albedo * ambient
 UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
                                            UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
-    return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
+    return albedo * (n_dot_l > 0.0 ? light : ambient);  // max gives NaN for a signalling NaN on Mesa
 }
 )GLSL",
 };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Depth as color, so that people can see it: blue near, through cyan, green and yellow, to red far.
+// False color for depth: blue near the light, through cyan, green and yellow, to red far away.
 //
 //     glm::vec3 color = umbrage::false_color(depth);
 //
+// Also called: heat map, jet color map.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -13,10 +14,13 @@
 
 namespace umbrage {
 
-/// @param v       clamped to [0, 1]; NaN counts as far
-/// @return        RGB in [0, 1]; brightness ramps up at both ends: 0 is dark blue, 1 dark red
+/// False color of a depth.
+/// @param v       depth, clamped to [0, 1]
+/// @param cleared depth of the far plane: 1, or 0 for reversed depth
+/// @return        RGB in [0, 1]. Brightness falls at both ends: 0 is dark blue, 1 is dark red
+/// @edge          NaN: the color of cleared
 /// @formula       3/2 - |4 v - c|, clamped, with c = 3, 2, 1 for red, green, blue
-/// @exactness     B, n = 3: one rounded difference a channel
+/// @exactness     B, n = 3: one rounded difference per channel
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> false_color(T v, T cleared = T(1)) {
     const T x = saturate(v, cleared) * T(4);
@@ -31,7 +35,7 @@ namespace glsl {
 
 inline constexpr snippet false_color{
     .name = "false_color",
-    .summary = "0..1 to blue, green, red",
+    .summary = "depth 0..1 as a color from blue over green to red",
     .exactness = tier::b,
     .operations = 3,
     .needs = list<&saturate>,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A map stretched over the picture's corner: which of its texels a pixel shows, along x and along y.
+// Overlay of a map in a corner of the picture: the texel that a pixel shows, for x and y one by one.
 //
-//     float column = umbrage::overlay_texel(x + 0.5f, 256.0f, 1024.0f, 1024.0f / 256.0f);  // -1: beside the overlay
+//     float column = umbrage::overlay_texel(x + 0.5f, 256.0f, 1024.0f, 1024.0f / 256.0f);  // -1: outside the overlay
 //
 #pragma once
 
@@ -13,17 +13,17 @@
 
 namespace umbrage {
 
-/// The texel that lies under a pixel's center.
+/// Texel under a pixel's center, along one side of the overlay.
 ///
 /// @param coord             center of the pixel, counted from the corner: 0.5, 1.5, ...
-/// @param size              of the overlay in pixels, whole
-/// @param map_size          of the map in texels, whole, at most 65536 in float; size map_size at most 2^23 in float,
-///                          2^52 in double
-/// @param texels_per_pixel  map_size / size, up to 16 ulp off
-/// @return                  whole, from 0 to map_size - 1; -1 outside the overlay, and for NaN
+/// @param size              size of the overlay in pixels, an integer
+/// @param map_size          size of the map in texels, an integer, at most 65536 in float. The product size map_size
+///                          must be at most 2^23 in float and 2^52 in double
+/// @param texels_per_pixel  map_size / size, with an error of up to 16 ulp
+/// @return                  an integer from 0 to map_size - 1, or -1 outside the overlay
+/// @edge                    NaN coord: -1
 /// @formula                 floor(coord map_size / size)
-/// @exactness               A: the quotient is rounded, so its floor less 0 or 1 is taken, and products of whole
-///                          numbers tell which
+/// @exactness               A: the quotient rounds, so its floor may be 1 too low. Products of integers correct it
 template <real T>
 [[nodiscard]] T overlay_texel(T coord, T size, T map_size, T texels_per_pixel) {
     if (is_nan(coord) || !(coord >= T(0) && coord < size)) return T(-1);
@@ -35,12 +35,14 @@ namespace glsl {
 
 inline constexpr snippet overlay_texel{
     .name = "overlay_texel",
-    .summary = "which texel of a map stretched over the picture's corner a pixel shows, along one side",
+    .summary = "texel under a pixel of a map drawn in the picture's corner",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
-//   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
+// umbrage_overlay_texel: texel under a pixel of a map drawn in the picture's corner; -1.0 outside the overlay
+//   coord             center of the pixel, counted from the corner: 0.5, 1.5, ...
+//   size              size of the overlay in pixels, an integer
+//   map_size          size of the map in texels, an integer, at most 65536.0; times size at most 2^23
+//   texels_per_pixel  map_size / size
 UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
                                           UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {
     UMBRAGE_HIGHP float texel = floor(coord * texels_per_pixel - 0.5);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Colors that say what is wrong with a receiver, as a debug view: texels of each map where all is well, and a plain
-// color for each reason why a receiver cannot be shadowed.
+// Debug view of a receiver's lookup: the texels of its map, or a plain color for the reason why it has no shadow.
 //
 //     glm::vec3 color = umbrage::probe_color(at, glm::vec2(1024), bias, 0.0f);
 //     color = umbrage::probe_inputs(color, world, normal);
 //
-// A shadow has both as one function, in C++ and in shaders: shadow/probe.hpp. Engines call such a view "visualize
-// cascades" or "shadow debug mode".
+// Also called: visualize cascades, shadow debug mode.
+// See also: shadow/probe.hpp, which joins both functions for a shadow, in C++ and in shaders.
 #pragma once
 
 #include <cmath>
@@ -23,7 +22,7 @@ namespace umbrage {
 
 namespace detail {
 
-/// Tells whether a probe can use a number: neither NaN nor 2^64 and more.
+/// True if a probe can use a number: not NaN, and of a magnitude below 2^64.
 template <real T>
 [[nodiscard]] constexpr bool is_usable(T v) {
     return !is_nan(v) && v < T(0x1p64) && v > T(-0x1p64);
@@ -31,15 +30,16 @@ template <real T>
 
 }  // namespace detail
 
-/// What a receiver's place in a map says, as a color.
+/// Debug color of a receiver's position in a map.
 ///
-/// @param at       (x, y) in texels, z depth, before the bias
-/// @param size     of the map, texels
-/// @param bias     of the receiver
-/// @param number   of the map, whole, 0 .. 65535: a cascade, a face, a page
-/// @return         RGB in [0, 1]. Magenta: not a number. Black: behind the light, or in no cascade. White: outside the
-///                 map. Cyan: beyond the far plane. Blue: before the near plane. Red: bias at its limit of 1, so that
-///                 nothing is in shadow. Else squares of one texel, in the map's own color, of which there are eight
+/// @param at       position in the map: x and y in texels, z depth before the bias
+/// @param size     size of the map, in texels
+/// @param bias     bias of the receiver, in depth
+/// @param number   index of the map, an integer from 0 to 65535: a cascade, a face or a page
+/// @return         RGB in [0, 1]. Squares of one texel in the map's own color, of which there are eight.
+///                 Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
+///                 Cyan: beyond the far plane. Blue: in front of the near plane.
+///                 Red: bias at its limit of 1, which removes all shadows
 /// @formula        bits of number + 1 choose 0.875 or 0.375 for red, green and blue; every other square by 0.75
 /// @exactness      A
 template <real T>
@@ -59,13 +59,13 @@ template <real T>
     return {level(T(1)), level(T(0.5)), level(T(0.25))};
 }
 
-/// The color, unless the receiver itself is wrong.
+/// The color given, unless the receiver itself is wrong.
 ///
-/// @param color    of probe_color
-/// @param world    the receiver's position
-/// @param normal   of its surface
-/// @return         magenta where a component is NaN, or 2^64 and more; yellow for a normal of zero, which gets no bias;
-///                 else color
+/// @param color    color from probe_color
+/// @param world    world position of the receiver
+/// @param normal   surface normal of the receiver
+/// @return         color, or yellow for a zero normal, which gets no bias
+/// @edge           a component that is NaN or of magnitude 2^64 or more: magenta
 /// @exactness      A
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> probe_inputs(glm::vec<3, T> color, glm::vec<3, T> world, glm::vec<3, T> normal) {
@@ -82,14 +82,22 @@ namespace glsl {
 
 inline constexpr snippet probe_color{
     .name = "probe_color",
-    .summary = "debug color of a place in a map: its texels, or why it cannot be shadowed",
+    .summary = "debug color of a lookup: its texels, or why it fails",
     .exactness = tier::a,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_probe_color: what a receiver's place in a map says, as a color
-//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
-//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
-//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+// umbrage_probe_color: debug color of a receiver's position in a map
+//   at      x and y in texels, z depth
+//   size    size of the map, in texels
+//   bias    bias of the receiver, in depth
+//   number  index of the map, an integer
+//   magenta  not a number
+//   black    behind the light, or in no cascade
+//   white    outside the map
+//   cyan     beyond the far plane
+//   blue     in front of the near plane
+//   red      bias at its limit of 1.0
+//   else     squares of one texel
 UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
                                        UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;
@@ -115,10 +123,12 @@ UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2
 
 inline constexpr snippet probe_inputs{
     .name = "probe_inputs",
-    .summary = "debug color, unless position or normal are wrong",
+    .summary = "debug color, unless position or normal is wrong",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+// umbrage_probe_inputs: color, unless the receiver is wrong
+//   magenta  position or normal is not a number
+//   yellow   a normal of zero
 UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
                                         UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;
