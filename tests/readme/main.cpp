@@ -7,12 +7,14 @@
 //     readme --write ROOT             generates the sections again
 //     readme --links ROOT             exit status 1 when a link leads nowhere, or a page is far from README.md
 //     readme --questions ROOT LIST    exit status 1 when a question's answer is more than two clicks from README.md
+//     readme --sample ROOT SEED       a hundred sentences of headers and pages, for a reader to judge
 //     readme --prose ROOT             exit status 1 when a sentence is long, or a word is one of those to avoid
 //     readme --proof REPORTS PROOF.md prints a line for each implementation; all of it goes to PROOF.md
 //
 // A section stands between `<!-- begin: primitives bias -->` and `<!-- end -->`. Its name may be primitives or
 // functions, of the folders of include/umbrage that follow, encodings or filters.
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -25,6 +27,7 @@
 #include "pages.hpp"
 #include "proof.hpp"
 #include "questions.hpp"
+#include "sample.hpp"
 #include "tables.hpp"
 
 namespace {
@@ -118,11 +121,18 @@ int main(int argc, char** argv) try {
     if (what == "--prose") return report(readme::wrong_prose(readme::pages(args[1])));
     if (what == "--questions" && args.size() == 3)
         return report(readme::wrong_questions(readme::pages(args[1]), args[2]));
+    if (what == "--sample" && args.size() == 3) {
+        for (const auto& each :
+             readme::sample_of(readme::pages(args[1]), args[1], std::uint32_t(std::stoul(args[2])), 100))
+            std::cout << each << '\n';
+        return 0;
+    }
     if (what == "--write") write(fs::path(args[1]));
     else if (what == "--proof" && args.size() == 3) prove(args[1], args[2]);
     else
         throw std::runtime_error(
-            "--check, --write, --links or --prose ROOT, --questions ROOT LIST, or --proof REPORTS PROOF.md");
+            "--check, --write, --links or --prose ROOT, --questions ROOT LIST, --sample ROOT SEED, or --proof REPORTS "
+            "PROOF.md");
     return 0;
 } catch (const std::exception& error) {
     std::cerr << "readme: " << error.what() << '\n';

@@ -128,6 +128,12 @@ std::string anchor(const std::string& heading) {
     return out;
 }
 
+std::vector<std::string> prose_of(const page& p) {
+    std::vector<std::string> all;
+    for (const place& t : texts_of(p)) all.push_back(t.text);
+    return all;
+}
+
 std::vector<page> pages(const fs::path& root) {
     std::vector<page> all;
     for (fs::recursive_directory_iterator i(root), end; i != end; ++i) {

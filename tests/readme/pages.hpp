@@ -20,6 +20,9 @@ struct page {
 /// What GitHub makes of a heading.
 [[nodiscard]] std::string anchor(const std::string& heading);
 
+/// Paragraphs, items and cells of a page, in words: code and links' targets are left out.
+[[nodiscard]] std::vector<std::string> prose_of(const page& p);
+
 /// Relative links to files or headings that do not exist, and pages that are more than two links from README.md.
 [[nodiscard]] std::vector<std::string> wrong_links(const std::vector<page>& all, const std::filesystem::path& root);
 

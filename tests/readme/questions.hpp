@@ -11,8 +11,8 @@
 
 namespace readme {
 
-/// Questions of a list whose links do not exist, whose answer does not stand where they lead, or that take more than two
-/// clicks.
+/// Questions of a list whose links do not exist, whose answer does not stand where they lead, or that take more than
+/// two clicks.
 /// @param list   a question a line, see questions.txt
 [[nodiscard]] std::vector<std::string> wrong_questions(const std::vector<page>& all, const std::filesystem::path& list);
 
