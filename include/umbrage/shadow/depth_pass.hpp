@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a shadow's depth pass calls in shaders. The vertex shader places vertices where the light is no plain matrix; the
-// fragment shader writes packed depths or moments.
+// Shader functions for a shadow's depth pass: vertices in clip space, and the texels of packed depths or moments.
 //
 //     std::string vertex = source(version::v330, {bind_vertex_pass(lamp, "lamp")});
 //     // gl_Position = umbrage_vertex_lamp(clip_from_world, world)

@@ -7,10 +7,11 @@
 //     // ... float visibility = umbrage_sun(world, normal) * umbrage_lamp(world, normal);
 //     auto bytes = sun.uniforms();  // what the block holds: copy sizeof bytes into its buffer
 //
-// What the depth pass calls: depth_pass.hpp. hlsl::text, wgsl::text and msl::text take the same; in Metal block, map and sampler come first.
+// hlsl::text, wgsl::text and msl::text take the same; in Metal the block, the map and the sampler come first.
 //
-// When a shadow is missing: bind(sun, "sun", {.debug = true}) adds umbrage_probe_sun(world, normal), colors that say why
-// (probe.hpp), and umbrage_calibrate_sun(number), which tells how the host reads its map (calibration.hpp).
+// When a shadow is missing: bind(sun, "sun", {.debug = true}) adds umbrage_probe_sun(world, normal), colors that say
+// why (probe.hpp), and umbrage_calibrate_sun(number), which reports how the host reads its map (calibration.hpp).
+// See also: depth_pass.hpp, for what the depth pass calls.
 #pragma once
 
 #include <optional>
