@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a filter has to be asked at all: where all texels that it may touch are lit, or none is, one look-up into
-// their bounds says so, and what it says are the filter's bits. In shaders, with bounds of make_filter_bounds as a map:
+// Early exit for a filter: one fetch from a map of depth bounds decides where all of its texels are lit, or none is.
+// The result there has the filter's own bits. In shaders, bind the bounds of make_filter_bounds as a map:
 //
 //     float lit = umbrage_bounds_lit_sun_bounds(bounds, bounds_size, coord, receiver, place);
 //     if (lit < 0.0) lit = umbrage_binomial7_sun(map, size, coord, receiver);
 //
-// Pays off for filters of many texels, and where shadows have more inside than border.
+// It is worth the fetch for filters of many texels, and for shadows with more interior than border.
+// Also called: min-max shadow map, hierarchical shadow map. See also: images/filter_bounds.hpp.
 #pragma once
 
 #include <umbrage/core/texel_space.hpp>
 
 namespace umbrage {
 
-/// What every filter of a reach gives where bounds suffice.
-/// @param bounds     ivec2 -> vec2, least and greatest depth of the texels that it may touch; the least is a NaN where
-///                   one of them is
-/// @param coord      receiver in texels of the map, as the filter takes it
-/// @param receiver   depth, as the filter takes it
-/// @param place      which bounds are a receiver's, see make_filter_bounds
-/// @return           1 where all are lit, 0 where none is, else -1: ask the filter
-/// @formula          [receiver <= least] where that is [receiver <= greatest], else -1; both of the bounds
+/// Visibility that every filter of a given reach returns where depth bounds decide it.
+/// @param bounds     returns the bounds at a texel: glm::vec2(glm::ivec2). They are the smallest and the largest depth
+///                   of the texels that the filter may read. The smallest is NaN where one of those texels is NaN
+/// @param coord      receiver in texels of the shadow map, as passed to the filter
+/// @param receiver   receiver depth, as passed to the filter
+/// @param place      maps a receiver to its bounds, from make_filter_bounds
+/// @return           1 where all texels are lit, 0 where none is, else -1: call the filter
+/// @formula          [receiver <= smallest] where it equals [receiver <= largest], else -1; both read
 ///                   at floor((floor(256 coord) + place.x) place.y)
 /// @exactness        A
 template <real T, class Fetch, class Compare = less_equal>
@@ -36,13 +37,15 @@ namespace glsl {
 
 inline constexpr snippet bounds_lit{
     .name = "bounds_lit",
-    .summary = "visibility where bounds of a filter's texels suffice",
+    .summary = "early exit: visibility from bounds of a filter's texels",
     .exactness = tier::a,
     .needs = list<&in_filter_domain, &compare, &fetch_clamped>,
     .source = R"GLSL(
-// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
-//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
-//   coord, receiver  as the filter takes them
+// umbrage_bounds_lit: early exit of a filter. Returns 1.0 where all texels are lit, 0.0 where none is
+// Returns -1.0 where the bounds do not decide it: call the filter there
+//   bounds, size      map of the texels' smallest and largest depths, and its size in texels
+//   coord, receiver   as passed to the filter
+//   place             maps a receiver to its bounds, from make_filter_bounds
 UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 place) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -50,7 +53,7 @@ UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 si
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
     UMBRAGE_HIGHP float all = umbrage_compare(receiver, b.x);
     UMBRAGE_HIGHP float some = umbrage_compare(receiver, b.y);
-    UMBRAGE_HIGHP float known = b.x <= b.y && all == some ? all : -1.0;  // not of a NaN
+    UMBRAGE_HIGHP float known = b.x <= b.y && all == some ? all : -1.0;  // NaN bounds decide nothing
     return compared ? known : 1.0;
 }
 )GLSL",

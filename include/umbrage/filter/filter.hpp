@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What a filter is: a value that makes visibility of a map's texels, and knows what there is to know of itself.
+// Concepts of a shadow filter: a callable that computes visibility from a map's texels.
 //
 //     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
 //     float visibility = filter(umbrage::bordered(map), coord, depth - bias);
 //
-// The library's own are listed in filters.hpp. Functions over images take any callable like them, and give its is_lit
-// the direction of the map's encoding: only with a fetch of your own, as above, does the filter have to be told.
+// Functions over images take any such callable. They set its is_lit to the depth direction of the map's encoding.
+// Set is_lit yourself only when you call the filter with your own fetch, as above.
+// See also: filters.hpp, the list of this library's filters.
 #pragma once
 
 #include <concepts>
@@ -19,12 +20,12 @@
 namespace umbrage {
 namespace detail {
 
-/// A map as filters see it.
+/// Stand-in for a map's fetch, with which the concepts below try a filter.
 struct any_fetch {
     float operator()(glm::ivec2 texel) const;
 };
 
-/// A vector that GLM would cut down to a glm::vec2 without a warning: filters delete the call that takes it.
+/// Vector that GLM would shorten to a glm::vec2 without a warning. Filters delete the call that takes it.
 template <class Coord>
 concept longer_than_vec2 = requires(Coord coord) {
     coord.z;
@@ -32,25 +33,25 @@ concept longer_than_vec2 = requires(Coord coord) {
 
 }  // namespace detail
 
-/// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.
+/// Callable (fetch, coord, receiver) -> visibility. Functions over images need no more than this.
 template <class Filter>
 concept filter = std::copy_constructible<Filter> &&
     requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
     { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
 };
 
-/// What a filter of the library tells of itself, for tools, tables and biases.
+/// Filter with a name, a snippet, a reach and a comparison, as all of this library's filters have.
 template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
     { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
-    { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
-    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest center of a texel it reads, along an axis
-    { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
+    { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // C++ version and snippet return the same result
+    { f.reach() } -> std::same_as<float>;  // filter radius: distance to the farthest texel center, along an axis
+    { f.is_lit(depth, depth) } -> std::same_as<bool>;  // comparison, with the direction of depth
 };
 
 namespace detail {
 
-/// Says in words what a type lacks that is used as a filter.
+/// Checks that a type can be used as a filter, with a readable error message.
 template <class Filter>
 consteval bool is_filter() {
     static_assert(filter<Filter>,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every filter of the library, in one list: what tools, tables, proofs and examples walk.
+// List of every filter in this library, for tools, tables, proofs and examples.
 //
 //     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::box{.radius = 2}, out);
 //
@@ -23,21 +23,21 @@ namespace umbrage::filters {
 
 using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, disc>;
 
-/// Beside them those that know the light's size: their maps hold z/w.
+/// Filters that also know the size of the light. Their maps must store z/w.
 using soft = list_of<pcss, dpcf>;
 
 }  // namespace umbrage::filters
 
 namespace umbrage {
 
-/// Calls use(filter) for one after the other.
+/// Calls use(filter) once for each filter of filters::all, in order.
 template <class Use>
 void for_each_filter(Use&& use) {
     filters::all::for_each(use);
 }
 
-/// Calls use(filter) with the one of that name.
-/// @return   false where none is called so
+/// Calls use(filter) with the filter of that name.
+/// @return   false when no filter has that name
 template <class Use>
 bool with_filter(std::string_view name, Use&& use) {
     return filters::all::with(name, use);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Contact hardening without a second look: one disc counts the blockers, and its share is steepened to the penumbra's
-// width. Half the texels of pcss, and softer than it where a penumbra is much narrower than the light.
+// Soft shadows with contact hardening from one pass over a disc: dual percentage-closer filtering (DPCF), as in
+// Filament.
 //
 //     float visibility = umbrage::dpcf<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
+// It counts the blockers under the disc, and steepens that fraction to the penumbra's width. It reads half the texels
+// of pcss. It is softer than pcss where the penumbra is much narrower than the light.
+// See also: pcss.hpp.
 #pragma once
 
 #include <array>
@@ -18,14 +21,14 @@
 
 namespace umbrage {
 
-/// The share of a disc in shadow, steepened.
+/// Fraction of a disc in shadow, steepened to the width of the penumbra.
 /// @tparam Points    8, 16 or 32
-/// @param blocked    whole, 0 .. Points
-/// @param ratio      of the penumbra to the disc, in 1/256, whole, 0 .. 256: 256 leaves the share as it is
-/// @return           0 lit .. 1; 0, 1/2 and 1 stay what they are, and more blocked is never less dark
-/// @formula          x = blocked / Points, s the sign of 2 x - 1: 1/2 + s/2 (1 - (1 - |2 x - 1|)^3), which ratio mixes
+/// @param blocked    number of blockers, an integer, 0 .. Points
+/// @param ratio      width of the penumbra over that of the disc, in 1/256: an integer, 0 .. 256. 256 changes nothing
+/// @return           0 lit .. 1 in shadow. 0, 1/2 and 1 stay as they are. More blockers never give a lighter result
+/// @formula          x = blocked / Points, s the sign of 2 x - 1: 1/2 + s/2 (1 - (1 - |2 x - 1|)^3), which ratio blends
 ///                   with x
-/// @exactness        A: whole numbers up to 2^24, over 512 Points^3
+/// @exactness        A: integers up to 2^24, over 512 Points^3
 /// @cite             Google Filament: surface_shadowing.fs
 template <int Points, real T>
 [[nodiscard]] constexpr T hardened_kernel(T blocked, T ratio) {
@@ -35,13 +38,17 @@ template <int Points, real T>
     return (hard * (T(256) - ratio) + blocked * ratio * (T(2) * n * n)) * (T(1) / (T(512) * cube));
 }
 
+/// Visibility of a receiver under a light that has a size, from one pass over a disc.
 /// @tparam Points    8, 16 or 32
-/// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie the widest radius outside the map
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
-/// @param rotation   as disc_rotation gives it
-/// @return           visibility, 1 where nothing blocks, 0 where all does
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to
+///                   softness.z / 16 texels outside the map. Depth must be z/w, not linear
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param rotation   from disc_rotation. Trades banding for noise
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]: 1 where nothing blocks, 0 where every point blocks
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
 ///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w))
 /// @exactness        A
@@ -63,8 +70,9 @@ namespace detail {
 [[nodiscard]] inline std::string hardened_kernel_text(int points) {
     const int n = points;
     return filled(R"GLSL(
-// umbrage_hardened_kernel$n: the share of $n points in shadow, steepened
-//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+// umbrage_hardened_kernel$n: fraction of $n points in shadow, steepened
+//   blocked   number of blockers
+//   ratio     width of the penumbra over that of the disc in 1/256, an integer. 256.0 changes nothing
 UMBRAGE_HIGHP float umbrage_hardened_kernel$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
     UMBRAGE_HIGHP float u = blocked * 2.0 - $n.0;
     UMBRAGE_HIGHP float d = max($n.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max
@@ -78,9 +86,12 @@ UMBRAGE_HIGHP float umbrage_hardened_kernel$n(UMBRAGE_HIGHP float blocked, UMBRA
 
 [[nodiscard]] inline std::string dpcf_text(int points) {
     return filled(R"GLSL(
-// umbrage_dpcf$n: contact hardening by $n points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_dpcf$n: soft shadow with contact hardening from $n points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
                                    UMBRAGE_HIGHP vec2 rotation) {
@@ -104,16 +115,16 @@ UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 template <int Points>
 inline constexpr snippet hardened_kernel{
     .name = Points == 8 ? "hardened_kernel8" : (Points == 16 ? "hardened_kernel16" : "hardened_kernel32"),
-    .summary = "a disc's share in shadow, steepened",
+    .summary = "fraction of a disc in shadow, steepened",
     .exactness = tier::a,
     .source = {detail::hardened_kernel_text, Points}};
 
 template <int Points>
 inline constexpr snippet dpcf{
     .name = Points == 8 ? "dpcf8" : (Points == 16 ? "dpcf16" : "dpcf32"),
-    .summary = Points == 8    ? "contact hardening by 8 points"
-               : Points == 16 ? "contact hardening by 16 points"
-                              : "contact hardening by 32 points",
+    .summary = Points == 8    ? "DPCF: contact hardening from one pass, 8 points"
+               : Points == 16 ? "DPCF: contact hardening from one pass, 16 points"
+                              : "DPCF: contact hardening from one pass, 32 points",
     .exactness = tier::a,
     .needs =
         list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened_kernel<Points>>,
@@ -126,7 +137,7 @@ inline constexpr const snippet* dpcf_snippets[]{
 
 namespace filters {
 
-/// The filter as a value; functions over images turn it from pixel to pixel.
+/// DPCF filter as a value. Functions over images rotate its disc per pixel.
 struct dpcf {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
@@ -136,9 +147,9 @@ struct dpcf {
 
     static const std::array<dpcf, 3> values;
 
-    /// The disc of the widest radius.
+    /// Disc of the largest radius.
     [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
-    /// From a receiver to the farthest point, in texels.
+    /// Distance from a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
     template <class Fetch>

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Percentage-closer soft shadows: hard where a caster touches what it shadows, softer the farther it is.
+// Percentage-closer soft shadows (PCSS): sharp where a caster touches the receiver, softer with distance.
 //
 //     glm::vec2 units = umbrage::make_light_units(light, map.size());
 //     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
 //     float visibility = umbrage::pcss<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
-// A disc as wide as the light, seen from the receiver, is searched for blockers; their mean distance gives the
-// penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, rotation and
-// bias: one that is acne-free for the widest radius is so for all. But it is too large for most receivers. Under eaves,
-// whose casters are nearer to the wall than the bias, only some rotations of the disc find a blocker, and the shadow
-// falls into stripes. Compared along its plane (receiver_plane.hpp) a receiver needs no bias for any radius.
+// 1. Search a disc as wide as the light appears from the receiver for texels nearer to the light (blockers).
+// 2. Their mean distance gives the width of the penumbra.
+// 3. Filter over a disc of that width.
+// Search and filter share points, rotation and bias. A bias without acne at the largest radius has no acne at any
+// radius, but it is too large for most receivers. Under eaves, casters are nearer to the wall than the bias. Only some
+// rotations of the disc then find a blocker, and the shadow breaks into stripes. Receiver plane depth bias
+// (receiver_plane.hpp) avoids this: it needs no other bias at any radius.
+// Also called: contact hardening, variable penumbra, area light shadows. Cheaper: dpcf.hpp, pcss_hardware.hpp.
 #pragma once
 
 #include <array>
@@ -23,18 +26,22 @@
 
 namespace umbrage {
 
-/// @tparam Points    8, 16 or 32, of the search and of the filter
-/// @param fetch      ivec2 texel -> stored depth; called twice Points times, texels may lie the widest radius outside
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
-/// @param rotation   as disc_rotation gives it
-/// @return           visibility, a multiple of 1 / Points; 1 where the search finds no blocker, as for a receiver at
-///                   the near plane; where all it finds blocks, the filter decides all the same
+/// Visibility of a receiver under a light that has a size.
+/// @tparam Points    8, 16 or 32: texels read by the search, and again by the filter
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 2 * Points times, with indices up
+///                   to softness.z / 16 texels outside the map. Depth must be z/w, not linear
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param rotation   from disc_rotation. Trades banding for noise
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]. A multiple of 1 / Points
+/// @edge             no blocker found, as for a receiver at the near plane: 1. Every point a blocker: the filter
+///                   decides. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
 ///                   disc(penumbra(z - floor(s / m)) / 16)
-/// @error            against real numbers the radius is off by (-1 - c, 2 c) sixteenths of a texel, c = per_code, for
-///                   depths that are rounded down to 16 bits, and by 1/256 of itself for per_code
+/// @accuracy         the radius is off by -(1 + c) to 2 c sixteenths of a texel, c = per_code, since depths are rounded
+///                   down to 16 bits. It is also off by 1/256 of itself, from the rounding of per_code
 /// @exactness        A
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
@@ -54,9 +61,12 @@ namespace detail {
 
 [[nodiscard]] inline std::string pcss_text(int points) {
     return filled(R"GLSL(
-// umbrage_pcss$n: percentage-closer soft shadows, $n points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_pcss$n: percentage-closer soft shadows (PCSS), $n points twice. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
                                    UMBRAGE_HIGHP vec2 rotation) {
@@ -67,7 +77,7 @@ UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    // without a blocker the radius is the search's, whose points are all lit
+    // without a blocker the radius is that of the search, whose points are all lit
     return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 )GLSL",
@@ -79,9 +89,9 @@ UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 template <int Points>
 inline constexpr snippet pcss{
     .name = Points == 8 ? "pcss8" : (Points == 16 ? "pcss16" : "pcss32"),
-    .summary = Points == 8    ? "percentage-closer soft shadows, 8 points twice"
-               : Points == 16 ? "percentage-closer soft shadows, 16 points twice"
-                              : "percentage-closer soft shadows, 32 points twice",
+    .summary = Points == 8    ? "PCSS: percentage-closer soft shadows, 8 points twice"
+               : Points == 16 ? "PCSS: percentage-closer soft shadows, 16 points twice"
+                              : "PCSS: percentage-closer soft shadows, 32 points twice",
     .exactness = tier::a,
     .needs = list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
     .source = {detail::pcss_text, Points}};
@@ -92,7 +102,7 @@ inline constexpr const snippet* pcss_snippets[]{&pcss<8>, &pcss<16>, &pcss<32>};
 
 namespace filters {
 
-/// The filter as a value; functions over images turn it from pixel to pixel.
+/// PCSS filter as a value. Functions over images rotate its discs per pixel.
 struct pcss {
     int points = 16;  ///< 8, 16 or 32
     penumbra_params softness{};
@@ -102,9 +112,9 @@ struct pcss {
 
     static const std::array<pcss, 3> values;
 
-    /// The disc of the widest radius.
+    /// Disc of the largest radius.
     [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
-    /// From a receiver to the farthest point, in texels.
+    /// Distance from a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
     template <class Fetch>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Percentage-closer soft shadows as the textbook has them, in floats and by samplers: for half the instructions of
-// pcss.hpp, which has the same bits everywhere.
+// Percentage-closer soft shadows (PCSS) in floats, with samplers: half the instructions of pcss.hpp, but not the same
+// bits on every GPU.
 //
 //     float visibility = umbrage::pcss_hardware<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                                   umbrage::disc_rotation(pixel));
 //
-// A shader binds one texture twice: to a sampler of the nearest texel, from which the search reads depths
-// (texture::depth with gather set, which says that there is one), and to one that compares and filters:
+// A shader binds one texture twice. The search reads depths from a nearest-texel sampler: bind it as texture::depth
+// with gather set, which says that there is one. The filter reads from a linear comparison sampler.
 //
 //     vec2 rotation = umbrage_disc_rotation(gl_FragCoord.xy);
 //     float search = umbrage_pcss_radius(vec2(0.0, 0.0), receiver, soft);
@@ -16,7 +16,8 @@
 //     float visibility = 1.0;
 //     if (found.x > 0.5) visibility = umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, rotation);
 //
-// Points of the search within a rounding of a texel's border may read the texel beside it.
+// A point of the search that lies within a rounding error of a texel's border may read the next texel.
+// See also: pcss.hpp, exact on every GPU.
 #pragma once
 
 #include <string>
@@ -27,8 +28,8 @@
 
 namespace umbrage {
 
-/// What of a point of the map lies before a receiver.
-/// @return        (1, depth_at) where that is before the receiver, else (0, 0)
+/// Count and depth of one point of the map, if it is nearer to the light than the receiver.
+/// @return        (1, depth_at) for a blocker, else (0, 0)
 /// @exactness     C, n = 4, as depth_at
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blocker_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver,
@@ -37,16 +38,19 @@ template <real T, class Fetch, class Compare = less_equal>
     return is_lit(receiver, stored) ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(T(1), stored);
 }
 
-/// The texels under a disc's points that lie before a receiver, the points where they fall.
+/// Count and depth sum of a disc's points that are nearer to the light than the receiver. Points are not rounded.
 /// @tparam Points    8, 16 or 32
-/// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
-/// @param coord      receiver in texels; outside texel space, or NaN: none found
-/// @param receiver   depth, biased as for the filter; beyond the far plane: none found; NaN has all before it
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
+///                   radius outside the map
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the same bias as for the filter
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
-/// @param rotation   as disc_rotation gives it; not a number: none found
-/// @return           (how many, the sum of their depths); not finite where depths are not
+/// @param rotation   from disc_rotation
+/// @return           (number of blockers, sum of their depths)
+/// @edge             coord outside texel space or NaN, receiver beyond the far plane, NaN rotation: no blockers. NaN
+///                   receiver: every point blocks. Depths that are not finite give a sum that is not finite
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
-/// @exactness        C, n = 24: exact in a shader, but at borders between texels, as depth_at. S is disc_position's
+/// @exactness        C, n = 24: exact in a shader except at borders between texels, as depth_at. S is disc_position's
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
                                                glm::vec<2, T> rotation, Compare is_lit = {}) {
@@ -56,18 +60,19 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
     for (const glm::ivec2 point : disc_points<Points>) {
         const glm::vec<2, T> at = disc_position(coord, glm::vec<2, T>(point), rotation, rho);
         const T reached = glm::abs(at.x) + glm::abs(at.y);
-        if (is_nan(reached) || reached >= T(1 << 17)) continue;  // no rotation that disc_rotation gives
+        if (is_nan(reached) || reached >= T(1 << 17)) continue;  // not a rotation from disc_rotation
         const auto stored = T(fetch(glm::ivec2(glm::floor(at))));
         if (!is_lit(receiver, stored)) found += glm::vec<2, T>(T(1), stored);
     }
     return found;
 }
 
-/// Radius of the penumbra that blockers leave at a receiver; without a blocker, (0, 0), that of one at the near plane,
-/// beyond which no search needs to look.
-/// @param found      (how many, the sum of their depths)
-/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
-/// @return           in texels, from min_radius / 16 to max_radius / 16; the former for what is NaN
+/// Radius of the penumbra that blockers cast on a receiver.
+///
+/// Without a blocker, found is (0, 0) and the radius is that of a blocker at the near plane. The search needs no more.
+/// @param found      (number of blockers, sum of their depths)
+/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @return           in texels, from min_radius / 16 to max_radius / 16. NaN: min_radius / 16
 /// @formula          |receiver - mean| 4096 per_code, clamped
 /// @exactness        C, within 1/1024: a mean off by 4 ulp moves it by 2^-9 per_code, up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
@@ -80,15 +85,19 @@ template <real T, class Compare = less_equal>
     return radius > min_radius ? detail::lesser(radius, softness.z * T(0.0625)) : min_radius;
 }
 
-/// @tparam Points    8, 16 or 32, of the search and of the filter
-/// @param fetch      ivec2 texel -> stored depth; called up to 5 Points times
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
-/// @param rotation   as disc_rotation gives it
-/// @return           visibility, 0 in shadow, 1 lit; 1 where the search finds no blocker
+/// Visibility of a receiver under a light that has a size, in floats.
+/// @tparam Points    8, 16 or 32: points of the search, and again of the filter
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called up to 5 Points times
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param rotation   from disc_rotation. Trades banding for noise
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]: 0 in shadow, 1 lit
+/// @edge             no blocker found: 1. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN
+///                   receiver: 0
 /// @formula          disc_hardware(pcss_radius(blockers_hardware(pcss_radius(none))))
-/// @exactness        C, where blockers' texels are the same: 1/128 and what the radius is off by
+/// @exactness        C, for the same blockers: 1/128 plus the error of the radius
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcss_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness,
@@ -104,13 +113,13 @@ namespace glsl {
 
 inline constexpr snippet blocker_at{
     .name = "blocker_at",
-    .summary = "whether what a point of the map holds lies before a receiver, and its depth",
+    .summary = "count and depth of one possible blocker",
     .exactness = tier::c,
     .operations = 4,
     .needs = list<&depth_at, &compare>,
     .source = R"GLSL(
-// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_blocker_at: (1.0, depth) of the texel at a point if it is nearer to the light, else (0.0, 0.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
                                       UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float stored = umbrage_depth_at(map, size, uv);
@@ -121,14 +130,16 @@ UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 
 inline constexpr snippet pcss_radius{
     .name = "pcss_radius",
-    .summary = "radius of a penumbra from the mean depth of blockers",
+    .summary = "penumbra radius from the mean depth of blockers",
     .exactness = tier::c,
     .within = 1.0f / 1024.0f,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
-//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+// umbrage_pcss_radius: radius of a penumbra in texels
+// Without a blocker it is the radius for one at the near plane
+//   found      (number of blockers, sum of their depths)
+//   receiver   receiver depth in [0, 1], bias applied
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
 UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
                                         UMBRAGE_HIGHP vec3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
@@ -144,9 +155,12 @@ namespace detail {
 
 [[nodiscard]] inline std::string blockers_hardware_text(int points) {
     std::string text = filled(R"GLSL(
-// umbrage_blockers_hardware$n: of the texels at $n points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers_hardware$n: (number of blockers, sum of their depths) at $n points of a disc
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                                UMBRAGE_HIGHP vec2 rotation) {)GLSL",
@@ -164,9 +178,9 @@ UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
 template <int Points>
 inline constexpr snippet blockers_hardware{
     .name = Points == 8 ? "blockers_hardware8" : (Points == 16 ? "blockers_hardware16" : "blockers_hardware32"),
-    .summary = Points == 8    ? "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel"
-               : Points == 16 ? "the same at 16 points"
-                              : "the same at 32 points",
+    .summary = Points == 8    ? "blocker search, 8 points of a nearest-texel sampler"
+               : Points == 16 ? "blocker search, 16 points of a nearest-texel sampler"
+                              : "blocker search, 32 points of a nearest-texel sampler",
     .exactness = tier::c,
     .operations = 24,
     .needs = list<&in_filter_domain, &blocker_at>,

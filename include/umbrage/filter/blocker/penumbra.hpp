@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// How wide a penumbra is, from what lies between a receiver and the light: of suns and of spots, by one formula.
+// Blocker search and penumbra width of soft shadows (PCSS, DPCF), by one formula for directional and spot lights.
 //
 //     glm::vec2 units = umbrage::make_light_units(light, map.size());
 //     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
 //     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, rotation);
-//     float mean = umbrage::floor_divide(found.y, found.x);  // of codes, 0 at the light
+//     float mean = umbrage::floor_divide(found.y, found.x);  // of distance codes, 0 at the light
 //     float radius = umbrage::penumbra(umbrage::distance_code(receiver) - mean, glm::vec3(soft));
 //
-// A spot's z/w is linear in 1 / distance, and so is the width of its penumbras in texels, which grow with the distance:
-// radius (1 / d_blocker - 1 / d_receiver) texels a unit at distance 1. Both sides of a division cancel, and no depth is
-// made linear. The mean of several blockers' z/w is that of their 1 / distance, whose distance is the harmonic mean:
-// penumbras are never smaller than the mean distance would make them.
+// A spot light's z/w is linear in 1 / distance, and so is the width of its penumbras in texels. It is
+// radius (1 / d_blocker - 1 / d_receiver), in texels per unit at distance 1. So no depth has to be made linear.
+// The mean z/w of several blockers gives their harmonic mean distance. Penumbras are therefore never smaller than for
+// the mean distance.
+// See also: pcss.hpp, dpcf.hpp.
 #pragma once
 
 #include <cmath>
@@ -30,23 +31,26 @@
 
 namespace umbrage {
 
-/// What a light's size makes of distances: whole numbers, or nearly so, that keep all below exact.
+/// Parameters of a penumbra, from the size of the light: integers, or nearly so, which keep the arithmetic exact.
 struct penumbra_params {
-    float per_code = 0.0625f;  ///< penumbra's radius in 1/16 texel, a code between blocker and receiver; 8 bits
-    float min_radius = 16.0f;  ///< radius of the filter where blockers touch receivers, 1/16 texel, whole
-    float max_radius = 96.0f;  ///< of filter and search, 1/16 texel, whole, at most 4095
+    float per_code = 0.0625f;  ///< penumbra radius in 1/16 texel, per code between blocker and receiver; 8 bits
+    float min_radius = 16.0f;  ///< filter radius where blockers touch receivers, 1/16 texel, an integer
+    float max_radius = 96.0f;  ///< largest radius of filter and search, 1/16 texel, an integer up to 4095
 
     [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
 };
 
+/// Parameters of the penumbras of a light.
 /// @param units          make_light_units of the light and the map
-/// @param light_size     radius of a spot's lamp in world units; of a directional light the tangent of half the angle
-///                       that it is seen under, of the sun 0.00465
-/// @param min_radius     the filter's radius where a blocker touches the receiver: 1 hides the map's steps, 0 is hard
-/// @param max_radius     wider penumbras are cut to that, and blockers farther off are not found; with 16 points beyond
-///                       16 texels or so noise shows
-/// @return               per_code rounded to 8 bits, by 1/256 of it at most; 0 for lights of no size: all is min_radius
-/// @throws std::invalid_argument  units or size that are not finite or below 0, radii that are not
+/// @param light_size     spot light: its radius in world units. Directional light: tangent of half the angle under
+///                       which it is seen; 0.00465 for the sun
+/// @param min_radius     filter radius where a blocker touches the receiver, texels. 1 hides the map's stair steps, 0
+///                       is a hard edge
+/// @param max_radius     largest filter radius, texels: cuts wider penumbras, and ends the search for blockers. With 16
+///                       points, noise shows beyond about 16 texels
+/// @return               parameters; per_code is rounded to 8 bits, by at most 1/256 of itself
+/// @edge                 light of no size: per_code is 0, and every radius is min_radius
+/// @throws std::invalid_argument  units or light_size not finite or below 0; radii that are not
 ///                                0 <= min_radius <= max_radius <= 255.9375
 /// @formula              per_code = 16 light_size / (65536 units.x units.y)
 template <real T>
@@ -63,14 +67,15 @@ template <real T>
     const auto exact = double(light_size) / (4096.0 * double(units.x) * double(units.y));
     int exponent = 0;
     const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
-    const bool counts = exponent > -24;  // else no penumbra has a 256th of a texel
+    const bool counts = exponent > -24;  // else no penumbra reaches 1/256 texel
     return {counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f,
             static_cast<float>(disc_radius(min_radius)), static_cast<float>(disc_radius(max_radius))};
 }
 
-/// A depth as its distance from the near plane.
-/// @param depth   clamped to [0, 1]; NaN counts as far
-/// @return        whole, 0 .. 65535, 0 at the near plane in either direction of depth
+/// Distance of a depth from the near plane, as a code of 16 bits.
+/// @param depth   in [0, 1]; clamped
+/// @return        integer, 0 .. 65535; 0 at the near plane, also where depth is reversed
+/// @edge          NaN: 65535, as the far plane
 /// @formula       x = min(floor(65536 depth), 65535); 65535 - x where depth is reversed
 /// @exactness     A
 template <real T, class Compare = less_equal>
@@ -81,10 +86,10 @@ template <real T, class Compare = less_equal>
     return forward ? code : T(65535) - code;
 }
 
-/// Radius of a penumbra.
-/// @param apart      codes from the blocker to the receiver; whole, below 2^16, below 0 as 0
-/// @param softness   of make_penumbra_params: (per_code, min_radius, max_radius)
-/// @return           in 1/16 texel, whole, from min_radius to max_radius
+/// Radius of a penumbra from the distance between blocker and receiver.
+/// @param apart      distance code of the receiver minus that of the blocker, an integer below 2^16; negative is 0
+/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @return           in 1/16 texel, an integer from min_radius to max_radius
 /// @formula          min(max(floor(apart per_code), min_radius), max_radius)
 /// @exactness        A: a product of 24 bits
 template <real T>
@@ -93,8 +98,8 @@ template <real T>
     return detail::lesser(detail::greater(radius, softness.y), softness.z);
 }
 
-/// A texel's part in the search for blockers.
-/// @return       (1, its distance_code) where it is before the receiver, else (0, 0)
+/// Count and distance code of one texel, if it is nearer to the light than the receiver.
+/// @return       (1, its distance_code) for a blocker, else (0, 0)
 /// @exactness    A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blocker(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
@@ -102,15 +107,16 @@ template <real T, class Fetch, class Compare = less_equal>
     return is_lit(receiver, stored) ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(T(1), distance_code(stored, is_lit));
 }
 
-/// The texels under a disc's points that lie before a receiver.
+/// Count and distance sum of a disc's points that fall on blockers: texels nearer to the light than the receiver.
 /// @tparam Points    8, 16 or 32
-/// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
-/// @param position   floor(256 coord) of the receiver
-/// @param receiver   depth, biased as for the filter; NaN has all texels before it
-/// @param radius     in 1/16 texel, whole, 0 .. 4095
-/// @param rotation   as disc_rotation gives it
-/// @return           (how many, the sum of their distance_codes): whole, a NaN among texels counts as a blocker at the
-///                   far plane
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
+///                   radius outside the map
+/// @param position   floor(256 coord) of the receiver, in 1/256 texel
+/// @param receiver   receiver depth in [0, 1], with the same bias as for the filter
+/// @param radius     in 1/16 texel, an integer, 0 .. 4095
+/// @param rotation   from disc_rotation
+/// @return           (number of blockers, sum of their distance_codes): integers
+/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,
@@ -126,11 +132,12 @@ namespace glsl {
 
 inline constexpr snippet distance_code{
     .name = "distance_code",
-    .summary = "a depth as 16 bits of distance from the near plane",
+    .summary = "distance of a depth from the near plane, 16 bits",
     .exactness = tier::a,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
+// Returns 0.0 at the near plane, also where depth is reversed
 UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = depth * 65536.0;
     UMBRAGE_HIGHP float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
@@ -142,12 +149,12 @@ UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet penumbra{
     .name = "penumbra",
-    .summary = "radius of a penumbra from the distance between blocker and receiver",
+    .summary = "penumbra radius from the distance to the blocker",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_penumbra: radius in 1/16 texel, a whole number
-//   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+//   apart      umbrage_distance_code of the receiver minus that of the blocker
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
 UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
     return min(max(floor(apart * softness.x), softness.y), softness.z);
 }
@@ -156,11 +163,11 @@ UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP ve
 
 inline constexpr snippet blocker{
     .name = "blocker",
-    .summary = "whether a texel lies before a receiver, and how far from the light",
+    .summary = "count and distance code of one possible blocker",
     .exactness = tier::a,
     .needs = list<&fetch_depth, &compare, &distance_code>,
     .source = R"GLSL(
-// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
 UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float stored = umbrage_fetch_depth(map, size, texel);
@@ -172,12 +179,15 @@ UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 namespace detail {
 
-/// The search's text, its points a line each.
+/// Shader text of the search, one line per point.
 [[nodiscard]] inline std::string blockers_text(int points) {
     std::string text = filled(R"GLSL(
-// umbrage_blockers$n: how many of a disc's $n points fall on texels before the receiver, and the sum of their codes
-//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers$n: (number of blockers, sum of their distance codes) at $n points of a disc
+//   map, size   shadow map and its size in texels
+//   position    floor(256 coord) of the receiver
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in 1/16 texel, an integer from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                       UMBRAGE_HIGHP vec2 rotation) {
@@ -197,7 +207,7 @@ UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 
 template <int Points>
 inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points == 16 ? "blockers16" : "blockers32"),
-                                  .summary = "texels under a disc's points that lie before a receiver",
+                                  .summary = "blocker search over a disc's points",
                                   .exactness = tier::a,
                                   .needs = list<&disc_tap, &blocker>,
                                   .source = {detail::blockers_text, Points}};

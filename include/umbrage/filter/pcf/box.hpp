@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Percentage-closer filtering with a (2r+1) x (2r+1) box of equal weights.
+// Percentage-closer filtering (PCF) with a (2r+1) x (2r+1) box of equal weights.
 //
 //     float visibility = umbrage::box(umbrage::bordered(map), coord, depth - bias, 2);  // 5 x 5
 //
+// Also called: box PCF, NxN PCF. See also: windows.hpp for smooth edges, disc.hpp for wide filters.
 #pragma once
 
 #include <array>
@@ -18,13 +19,17 @@ namespace umbrage {
 
 inline constexpr int max_box_radius = 8;
 
-/// Number of lit texels in the box around the receiver's own.
+/// Number of lit texels in the box around the receiver's texel.
 ///
-/// @param fetch      ivec2 texel -> stored depth; called (2r+1)^2 times, texels may lie r outside the map
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: all lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param radius     r, clamped to 0..8
-/// @return           0 .. (2r+1)^2
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called (2r+1)^2 times, with indices up to
+///                   r texels outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param radius     r, in texels; clamped to 0..8
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           number of lit texels, 0 to (2r+1)^2
+///
+/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver: 0
 /// @formula          sum over |i|, |j| <= r of [receiver <= fetch(floor(coord) + (i, j))]
 /// @exactness        A: counts
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
@@ -40,14 +45,14 @@ template <real T, class Fetch, class Compare = less_equal>
 }
 
 namespace detail {
-template <real T>  // quotients of the compiler's: a run-time division would follow the rounding mode and -ffast-math
+template <real T>  // the compiler divides: at run time, the rounding mode and -ffast-math could change the quotients
 inline constexpr std::array<T, max_box_radius + 1> box_scales{T(1),          T(1) / T(9),   T(1) / T(25),
                                                               T(1) / T(49),  T(1) / T(81),  T(1) / T(121),
                                                               T(1) / T(169), T(1) / T(225), T(1) / T(289)};
 }  // namespace detail
 
 /// 1 / (2r+1)^2, rounded to nearest.
-/// @param radius     r, clamped to 0..8
+/// @param radius     r, in texels; clamped to 0..8
 /// @exactness        A: a table
 template <real T>
 [[nodiscard]] constexpr T box_scale(int radius) {
@@ -55,8 +60,8 @@ template <real T>
     return detail::box_scales<T>[static_cast<std::size_t>(r)];
 }
 
-/// Share of the box that is lit; arguments as for box_count.
-/// @return           visibility: 0 in shadow, 1 lit, exactly
+/// Fraction of the box that is lit. Parameters and edge cases as for box_count.
+/// @return           visibility in [0, 1]: exactly 0 in shadow, exactly 1 lit
 /// @formula          box_count / (2r+1)^2
 /// @exactness        B, n = 290, S = the result: the count is exact, its product with box_scale rounds once
 template <real T, class Fetch, class Compare = less_equal>
@@ -69,13 +74,15 @@ namespace glsl {
 
 inline constexpr snippet box_count{
     .name = "box_count",
-    .summary = "lit texels in a box of radius 0..8",
+    .summary = "number of lit texels in a box of radius 0..8",
     .exactness = tier::a,
     .needs = list<&in_filter_domain, &lit>,
     .source = R"GLSL(
-// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+// umbrage_box_count: number of lit texels in the (2r+1) x (2r+1) box around the receiver's texel, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      r, clamped to 0..8. Compilers unroll the loops if it is a constant
 UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                       UMBRAGE_HIGHP float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
@@ -102,7 +109,7 @@ inline constexpr snippet box_scale{
     .source = R"GLSL(
 // umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
 UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
-    UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    UMBRAGE_HIGHP float scale = 0.00346020772;  // no literal is returned: it would have the host's precision
     if (radius < 8) scale = 0.00444444455;
     if (radius < 7) scale = 0.00591715984;
     if (radius < 6) scale = 0.00826446246;
@@ -118,12 +125,13 @@ UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
 
 inline constexpr snippet box{
     .name = "box",
-    .summary = "lit share of a box of radius 0..8",
+    .summary = "box PCF: lit fraction of a box of radius 0..8",
     .exactness = tier::b,
     .operations = 290,
     .needs = list<&box_count, &box_scale>,
     .source = R"GLSL(
-// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+// umbrage_box: box PCF, the lit fraction of a (2r+1) x (2r+1) box. Returns visibility, 1.0 = lit
+//   parameters as for umbrage_box_count
 UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, int radius) {
     UMBRAGE_HIGHP float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
@@ -136,12 +144,12 @@ UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 namespace filters {
 
-/// The filter as a value.
+/// Box filter as a value.
 struct box {
     static constexpr std::string_view name = "box";
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
-    int radius = 1;  ///< clamped to 0..8
+    int radius = 1;  ///< in texels; clamped to 0..8
     comparison is_lit{};
 
     [[nodiscard]] constexpr float reach() const {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Percentage-closer filtering over a disc: 8, 16 or 32 points, turned from pixel to pixel so that no pattern shows.
+// Percentage-closer filtering (PCF) over a disc of 8, 16 or 32 points, rotated per pixel to hide the pattern.
 //
 //     float visibility =
 //         umbrage::disc<16>(umbrage::bordered(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
 //
-// Points, turns and radii are whole numbers, so that taps fall on the same texels everywhere. The points were annealed
-// for the least error on edges of any direction, alone and over four quarter turns.
+// Points, rotations and radii are integers, so the taps fall on the same texels everywhere. The points were annealed
+// for the smallest error on edges of any direction, alone and over four rotations by 90 degrees.
+// Also called: Poisson disk PCF, rotated disc PCF. See also: disc_hardware.hpp, blocker/pcss.hpp.
 #pragma once
 
 #include <array>
@@ -25,7 +26,7 @@ struct disc_point {
     [[nodiscard]] operator glm::ivec2() const { return {x, y}; }
 };
 
-/// A disc's points, in 1/16 of its radius.
+/// Points of a disc, in 1/16 of its radius.
 template <int Points>
 requires(Points == 8 || Points == 16 ||
          Points == 32) inline constexpr std::array<disc_point, std::size_t(Points)> disc_points{};
@@ -57,7 +58,7 @@ inline constexpr std::array<disc_point, 32> disc_points<32>{
 
 namespace detail {
 
-/// disc_points of a number that is known when the program runs.
+/// Points of a disc whose number is known only at run time.
 class points_of_disc {
 public:
     explicit points_of_disc(int points)
@@ -73,10 +74,11 @@ private:
 
 }  // namespace detail
 
-/// One of 16 turns for a pixel, each once in every 4 x 4 of them.
-/// @param pixel      whole numbers or positions in pixels; of 2^15 and more, and NaN, all have the first
-/// @return           (cos, sin) in 1/64, whole numbers, of length 63.6 to 64
-/// @formula          v = 4x + y mod 16: a quarter turn floor(v / 4) times, after v mod 4 times 22.5 degrees
+/// Rotation of the disc for a pixel: one of 16, each used once in every 4 x 4 pixels.
+/// @param pixel      pixel position, in pixels; fractions are dropped
+/// @return           (cos, sin) in 1/64: integers, length 63.6 to 64
+/// @edge             |x| or |y| >= 2^15, or NaN: the first rotation, (64, 0)
+/// @formula          v = 4x + y mod 16; rotates by floor(v / 4) quarter turns and (v mod 4) times 22.5 degrees
 /// @exactness        A
 template <real T>
 [[nodiscard]] glm::vec<2, T> disc_rotation(glm::vec<2, T> pixel) {
@@ -94,23 +96,25 @@ template <real T>
     }
 }
 
-/// The texel that a point of a disc falls on.
-/// @param position   floor(256 coord) of the receiver
-/// @param p          one of disc_points;   rotation  as disc_rotation gives it
-/// @param radius     in 1/16 texel, a whole number, 0 .. 4095
-/// @formula          floor((position + turned point * radius / 64) / 256), of point (x, y) turned by (c, s):
+/// Texel that a point of a disc falls on.
+/// @param position   floor(256 coord) of the receiver, in 1/256 texel
+/// @param p          one of disc_points, in 1/16 of the radius
+/// @param rotation   from disc_rotation
+/// @param radius     in 1/16 texel, an integer from 0 to 4095
+/// @return           index of the texel
+/// @formula          floor((position + rotated point * radius / 64) / 256), where (c, s) rotates point (x, y) to
 ///                   (c x - s y, s x + c y)
 /// @exactness        A: multiples of 2^-14 below 2^10, in any order
 template <real T>
 [[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> rotation, T radius) {
     const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at);
-    const glm::vec<2, T> within = glm::clamp(at - texel, T(0), T(1));  // which no grouping of sums reaches across
+    const glm::vec<2, T> within = glm::clamp(at - texel, T(0), T(1));  // no sum is regrouped across the clamp
     const glm::vec<2, T> scaled = rotation * (radius * T(1.0 / 16384.0));
     return texel +
            glm::floor(within + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y));
 }
 
-/// A disc's radius in 1/16 texel: floor(16 radius), at most 4095; 0 for what is negative, and for NaN.
+/// Radius of a disc in 1/16 texel, from one in texels: floor(16 radius), at most 4095. Negative or NaN: 0.
 /// @exactness        A
 template <real T>
 [[nodiscard]] constexpr T disc_radius(T radius) {
@@ -118,14 +122,17 @@ template <real T>
     return radius < T(255.9375) ? T(static_cast<int>(radius * T(16))) : T(4095);
 }
 
-/// Lit share of a disc's points.
+/// Fraction of a disc's points that are lit.
 /// @tparam Points    8, 16 or 32
-/// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param radius     in texels, taken down to 1/16; clamped to 0 .. 255.9375, NaN is 0
-/// @param rotation   as disc_rotation gives it
-/// @return           visibility, a multiple of 1 / Points: 0 in shadow, 1 lit
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
+///                   radius outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param radius     in texels, rounded down to 1/16; clamped to 0 .. 255.9375, NaN is 0
+/// @param rotation   from disc_rotation. Trades banding for noise
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
@@ -146,11 +153,12 @@ namespace glsl {
 
 inline constexpr snippet disc_rotation{
     .name = "disc_rotation",
-    .summary = "one of 16 turns for a pixel",
+    .summary = "rotation of a disc for a pixel, one of 16",
     .exactness = tier::a,
     .needs = list<&inside_texel_space>,
     .source = R"GLSL(
-// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+//   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
 UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
@@ -169,12 +177,14 @@ UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
 
 inline constexpr snippet disc_tap{
     .name = "disc_tap",
-    .summary = "the texel that a point of a disc falls on",
+    .summary = "texel that a point of a disc falls on",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
-//   radius    in 1/16 texel, a whole number from 0 to 4095
+// umbrage_disc_tap: texel that a point of a disc falls on
+//   position   floor(256 coord) of the receiver
+//   p          point, in 1/16 of the radius
+//   rotation   from umbrage_disc_rotation
+//   radius     in 1/16 texel, an integer from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
                                     UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
@@ -190,10 +200,11 @@ UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP v
 
 inline constexpr snippet disc_radius{
     .name = "disc_radius",
-    .summary = "radius of a disc, down to 1/16 texel",
+    .summary = "radius of a disc, rounded down to 1/16 texel",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+// umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
+// Returns an integer from 0 to 4095, and 0 for NaN
 UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
     UMBRAGE_HIGHP float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
@@ -203,12 +214,15 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 
 namespace detail {
 
-/// A disc's text, its points a line each.
+/// Shader text of a disc, one line per point.
 [[nodiscard]] inline std::string disc_text(int points) {
     std::string text = filled(R"GLSL(
-// umbrage_disc$n: lit share of $n points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc$n: PCF over a rotated disc of $n points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                    UMBRAGE_HIGHP vec2 rotation) {
@@ -230,9 +244,9 @@ UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 template <int Points>
 inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "disc16" : "disc32"),
-                              .summary = Points == 8    ? "disc of 8 points, turned by the pixel"
-                                         : Points == 16 ? "disc of 16 points, turned by the pixel"
-                                                        : "disc of 32 points, turned by the pixel",
+                              .summary = Points == 8    ? "disc PCF, 8 points, rotated per pixel"
+                                         : Points == 16 ? "disc PCF, 16 points, rotated per pixel"
+                                                        : "disc PCF, 32 points, rotated per pixel",
                               .exactness = tier::a,
                               .needs = list<&in_filter_domain, &disc_radius, &disc_tap, &lit>,
                               .source = {detail::disc_text, Points}};
@@ -244,7 +258,7 @@ inline constexpr const snippet* disc_snippets[]{&disc_rotation, &disc_tap, &disc
 
 namespace filters {
 
-/// A disc as a value; functions over images turn it from pixel to pixel.
+/// Disc filter as a value. Functions over images rotate it per pixel.
 struct disc {
     int points = 16;  ///< 8, 16 or 32
     float radius_texels = 2.0f;
@@ -254,7 +268,7 @@ struct disc {
 
     static const std::array<disc, 3> values;
 
-    /// From a receiver to the farthest point, in texels.
+    /// Distance from a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const {
         const float sixteenths = points == 8 ? 13.0385f : (points == 16 ? 14.1422f : 15.0f);
         return disc_radius(radius_texels) * sixteenths * (1.0f / 256.0f);

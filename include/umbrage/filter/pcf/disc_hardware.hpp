@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// A disc by the sampler: each point is a look-up that compares four texels and weighs them.
+// Percentage-closer filtering (PCF) over a disc by a comparison sampler: each point is one fetch that compares and
+// weights four texels.
 //
 //     float visibility = umbrage::disc_hardware<16>(umbrage::bordered(map), coord, depth - bias, 3.0f,
 //                                                   umbrage::disc_rotation(pixel));
 //
-// Maps and samplers are as for pcf_2x2_hardware.hpp. Points lie where they fall, between texels, as the sampler weighs
-// them anyway: nothing is rounded, so that a point costs little more than its look-up.
+// Maps and samplers as for pcf_2x2_hardware.hpp. Points are not rounded to texels, since the sampler weights its texels
+// in any case. So a point costs little more than its fetch.
+// See also: disc.hpp, exact on every GPU.
 #pragma once
 
 #include <string>
@@ -17,33 +19,37 @@
 
 namespace umbrage {
 
-/// A disc's radius as hardware forms take it: clamped to [0, 255.9375], 0 for NaN.
+/// Radius of a disc in texels, as the hardware versions take it: clamped to [0, 255.9375], 0 for NaN.
 template <real T>
 [[nodiscard]] constexpr T clamped_disc_radius(T radius) {
     return radius > T(0) ? detail::lesser(radius, T(max_disc_radius)) : T(0);
 }
 
-/// Where a point of a disc lies.
-/// @param coord    the disc's middle, in texels
-/// @param p        one of disc_points;   rotation  as disc_rotation gives it
-/// @param radius   in texels
-/// @formula        coord + turned point * radius / 1024, of point (x, y) turned by (c, s): (c x - s y, s x + c y)
+/// Position of a point of a disc, in texels.
+/// @param coord      center of the disc, in texels
+/// @param p          one of disc_points, in 1/16 of the radius
+/// @param rotation   from disc_rotation
+/// @param radius     in texels
+/// @formula          coord + rotated point * radius / 1024, where (c, s) rotates (x, y) to (c x - s y, s x + c y)
 template <real T>
 [[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<2, T> rotation, T radius) {
     const glm::vec<2, T> scaled = rotation * (radius * T(1.0 / 1024.0));
     return coord + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y);
 }
 
-/// Mean of pcf_2x2 over a disc's points.
+/// Mean of pcf_2x2 over the points of a disc.
 /// @tparam Points    8, 16 or 32
-/// @param fetch      ivec2 texel -> stored depth; called 4 Points times, texels may lie a radius and one outside
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 Points times, with indices up to
+///                   a radius and one texel outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
-/// @param rotation   as disc_rotation gives it
-/// @return           visibility, 0 in shadow, 1 lit
+/// @param rotation   from disc_rotation. Trades banding for noise
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]: 0 in shadow, 1 lit
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          mean of pcf_2x2(disc_position) over disc_points
-/// @exactness        C, within 1/128 as pcf_2x2_hardware: the mean is off by no more than each of its parts
+/// @exactness        C, within 1/128 as pcf_2x2_hardware: the error of a mean is at most that of its parts
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
@@ -60,7 +66,7 @@ namespace glsl {
 
 namespace detail {
 
-/// What every text over a disc's points in uv begins with, from its head's closing brace on.
+/// First lines of every shader text over a disc in uv, from its function's opening brace on.
 inline constexpr const char* disc_in_uv = R"GLSL(
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
@@ -69,7 +75,7 @@ inline constexpr const char* disc_in_uv = R"GLSL(
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
 )GLSL";
 
-/// `text` with the point's place in uv: center + x $x + y $y.
+/// Appends a point's position in uv to the text: center + x $x + y $y.
 inline void append_point(std::string& text, disc_point p, const char* before, const char* after) {
     text += before;
     append(text, "center $s x * $x.0 $t y * $y.0",
@@ -82,9 +88,13 @@ inline void append_point(std::string& text, disc_point p, const char* before, co
 
 [[nodiscard]] inline std::string disc_hardware_text(int points) {
     std::string text = filled(R"GLSL(
-// umbrage_disc_hardware$n: $n points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware$n: PCF over $n points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP vec2 rotation) {)GLSL",
@@ -107,9 +117,9 @@ UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
 template <int Points>
 inline constexpr snippet disc_hardware{
     .name = Points == 8 ? "disc_hardware8" : (Points == 16 ? "disc_hardware16" : "disc_hardware32"),
-    .summary = Points == 8    ? "disc of 8 points by a comparison sampler with a linear filter"
-               : Points == 16 ? "disc of 16 points by one"
-                              : "disc of 32 points by one",
+    .summary = Points == 8    ? "disc PCF, 8 fetches from a linear comparison sampler"
+               : Points == 16 ? "disc PCF, 16 fetches from a linear comparison sampler"
+                              : "disc PCF, 32 fetches from a linear comparison sampler",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Percentage-closer filtering over four taps with coordinates of their own, as the Radeon 8500 did it: one texture
-// matrix per tap (tap_matrices), four nearest fetches, four tests, the mean.
+// Percentage-closer filtering (PCF) over four taps with separate coordinates, as on the Radeon 8500. There, each tap
+// had its own texture matrix (tap_matrices), a nearest fetch and a test. The result was the mean of the tests.
 //
 //     float visibility = umbrage::four_tap(umbrage::bordered(map), a, b, c, d, depth - bias);
 //
+// See also: pcf_2x2.hpp, with bilinear weights; four_tap_hardware.hpp.
 #pragma once
 
 #include <array>
@@ -16,11 +17,14 @@
 
 namespace umbrage {
 
-/// @param fetch        ivec2 texel -> stored depth; called up to four times
-/// @param a, b, c, d   the taps in texels; all are lit where the mean magnitude of their texels' numbers is 2^15 or
-///                     more in a direction, and for NaN
-/// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
+/// Mean of four shadow tests, each with its own coordinates.
+/// @param fetch        returns the stored depth of a texel: float(glm::ivec2). Called up to 4 times
+/// @param a, b, c, d   positions of the taps in the map, in texels
+/// @param receiver     receiver depth in [0, 1], with the bias already applied
+/// @param is_lit       less_equal, or greater_equal for reversed depth
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
+/// @edge               taps whose mean |texel index| is 2^15 or more along an axis, or NaN: 1. Receiver beyond the far
+///                     plane: 1. NaN receiver: 0
 /// @formula            mean of [receiver <= fetch(floor(tap))]
 /// @exactness          A
 /// @cite               Reeves, Salesin, Cook 1987; ATI Radeon SDK, ShadowMap sample, 2002
@@ -40,13 +44,14 @@ namespace glsl {
 
 inline constexpr snippet four_tap{
     .name = "four_tap",
-    .summary = "mean of four taps with coordinates of their own",
+    .summary = "mean of four taps, each with its own coordinates",
     .exactness = tier::a,
     .needs = list<&lit, &beyond_far_plane>,
     .source = R"GLSL(
-// umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
-//   or more in a direction;   receiver  depth, biased
+// umbrage_four_tap: mean of the shadow test at four taps. Returns visibility, 1.0 = lit
+//   map, size    shadow map and its size in texels
+//   a, b, c, d   taps in texels. All are lit where their mean magnitude is 2^15 or more along an axis
+//   receiver     receiver depth in [0, 1], bias applied
 UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
                                      UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
                                      UMBRAGE_HIGHP float receiver) {
@@ -55,7 +60,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     UMBRAGE_HIGHP vec2 c_texel = floor(c);
     UMBRAGE_HIGHP vec2 d_texel = floor(d);
     UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits on purpose: Mesa turns a single one into max(x, y) < limit, which loses a NaN
     bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
                                 umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
@@ -68,12 +73,12 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 
 namespace filters {
 
-/// The filter as a value.
+/// Four-tap filter as a value.
 struct four_tap {
     static constexpr std::string_view name = "four_tap";
     static constexpr const glsl::snippet* snippet = &glsl::four_tap;
 
-    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
+    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< from the receiver to each tap, in texels
     comparison is_lit{};
 
     [[nodiscard]] constexpr float reach() const {

@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
-// four_tap by the sampler, as the Radeon 8500 had it: coordinates that four texture matrices give are the sampler's as
-// they are, and its nearest texel is the tap's.
+// Four-tap percentage-closer filtering (PCF) by the sampler: it takes the coordinates that four texture matrices give,
+// and reads the nearest texel of each, as on the Radeon 8500.
 //
 //     float visibility = umbrage::four_tap_hardware(umbrage::bordered(map), size, a, b, c, d, depth - bias);
 //
-// In a shader bind it to a map with `gather` set, which says that there is a sampler of the nearest texel. Taps within
-// a rounding of a texel's border may read the texel beside it.
+// In a shader, bind it to a map with `gather` set: such a map has a sampler for the nearest texel. A tap that lies
+// within a rounding error of a texel's border may read the next texel.
+// See also: four_tap.hpp, exact on every GPU.
 #pragma once
 
 #include <umbrage/filter/pcf/four_tap.hpp>
 
 namespace umbrage {
 
-/// @param fetch        ivec2 texel -> stored depth; called four times
-/// @param size         of the map, in texels
-/// @param a, b, c, d   the taps, from (0, 0) to (1, 1) over the map; all are lit where the mean of |x| + |y| in texels
-///                     is 2^15 or more, and for NaN
-/// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
+/// Mean of four shadow tests at coordinates from 0 to 1 over the map.
+/// @param fetch        returns the stored depth of a texel: float(glm::ivec2). Called 4 times
+/// @param size         size of the map, in texels
+/// @param a, b, c, d   positions of the taps, from (0, 0) to (1, 1) over the map
+/// @param receiver     receiver depth in [0, 1], with the bias already applied
+/// @param is_lit       less_equal, or greater_equal for reversed depth
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
+/// @edge               taps whose mean of |x| + |y| is 2^15 texels or more, or NaN: 1. Receiver beyond the far plane:
+///                     1. NaN receiver: 0
 /// @formula            mean of [receiver <= depth_at(tap)]
-/// @exactness          C, n = 39, four_tap but at borders between texels, as depth_at. S = uv size, or for what is out
-///                     of range the sum of all |x| + |y| in texels
+/// @exactness          C, n = 39, as four_tap except at borders between texels, as depth_at. S = uv size. For taps out
+///                     of range, S is the sum of all |x| + |y| in texels
 /// @cite               ATI Radeon SDK, ShadowMap sample, 2002
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T four_tap_hardware(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> a, glm::vec<2, T> b,
@@ -38,14 +42,17 @@ namespace glsl {
 
 inline constexpr snippet four_tap_hardware{
     .name = "four_tap_hardware",
-    .summary = "mean of four taps that a sampler of the nearest texel takes",
+    .summary = "mean of four taps from a nearest-texel sampler",
     .exactness = tier::c,
     .operations = 39,
     .needs = list<&beyond_far_plane, &compare, &depth_at>,
     .source = R"GLSL(
-// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
-//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of a nearest-texel sampler
+// Returns visibility, 1.0 = lit
+//   map, size    shadow map and its size in texels
+//   a, b, c, d   taps from (0.0, 0.0) to (1.0, 1.0) over the map
+//                All are lit where the mean of |x| + |y| is 2^15 texels or more
+//   receiver     receiver depth in [0, 1], bias applied
 UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
                                               UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
                                               UMBRAGE_HIGHP float receiver) {

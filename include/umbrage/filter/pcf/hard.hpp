@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The unfiltered shadow test: one texel, one comparison.
+// Hard shadow test without a filter: one texel, one comparison.
 //
 //     float visibility = umbrage::hard(umbrage::bordered(map), coord, depth - bias);
 //
+// Also called: shadow mapping, nearest-texel test. See also: pcf_2x2.hpp, the smallest filter with smooth edges.
 #pragma once
 
 #include <cmath>
@@ -14,10 +15,13 @@
 
 namespace umbrage {
 
-/// @param fetch      ivec2 texel -> stored depth; called once
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @return           1 lit, 0 in shadow
+/// Result of one comparison with the receiver's texel.
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called once
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility: 1 lit, 0 in shadow
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          [receiver <= fetch(floor(coord))]
 /// @exactness        A
 /// @cite             Williams: Casting curved shadows on curved surfaces, SIGGRAPH 1978
@@ -31,13 +35,14 @@ namespace glsl {
 
 inline constexpr snippet hard{
     .name = "hard",
-    .summary = "nearest texel, one test",
+    .summary = "hard shadow test: nearest texel, one comparison",
     .exactness = tier::a,
     .needs = list<&in_filter_domain, &lit>,
     .source = R"GLSL(
-// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_hard: shadow test without a filter. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -52,7 +57,7 @@ UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
 
 namespace filters {
 
-/// The filter as a value.
+/// Hard shadow test as a value.
 struct hard {
     static constexpr std::string_view name = "hard";
     static constexpr const glsl::snippet* snippet = &glsl::hard;

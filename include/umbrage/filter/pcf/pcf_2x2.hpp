@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Bilinear percentage-closer filtering over 2x2 texels.
+// Percentage-closer filtering (PCF) over the four nearest texels, with bilinear weights: the smallest filter without
+// stair-stepped edges. A comparison sampler with linear filtering computes the same in hardware.
 //
 //     float visibility = umbrage::pcf_2x2(umbrage::bordered(map), coord, depth - bias);
 //
-// pcf_2x2 quantizes the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
-// DirectX SDK sample's form in plain floats.
+// pcf_2x2 rounds its weights to 1/256, as texture units do, and returns the same bits everywhere.
+// pcf_2x2_dx_sdk is the DirectX SDK sample's version, with unrounded weights.
+// Also called: 4-tap bilinear PCF, sampler2DShadow, SampleCmp. See also: pcf_2x2_hardware.hpp, windows.hpp, disc.hpp.
 #pragma once
 
 #include <string_view>
@@ -15,12 +17,16 @@
 
 namespace umbrage {
 
-/// Share of a receiver that is lit, from the four nearest texels, each compared and then weighted.
+/// Fraction of the light that reaches a receiver: compares it with four stored depths, then blends the four results.
 ///
-/// @param fetch      ivec2 texel -> stored depth; called four times, texels may lie one outside the map
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times, with indices up to one
+///                   texel outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 2^-16
+///
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
 /// @exactness        A: sums of multiples of 2^-16, below 2^8
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
@@ -29,25 +35,28 @@ template <real T, class Fetch, class Compare = less_equal>
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centers, in 1/256 texel
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    // Weights of the farther texels are in [0, 1) already; compilers cannot regroup sums across the clamp.
+    // Weights of the farther texels are in [0, 1) already. The clamp keeps compilers from regrouping sums across it.
     const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1));
     const glm::vec<2, T> lo = T(1) - hi;
     const glm::vec<4, T> lit = lit_2x2(fetch, glm::ivec2(texel), receiver, is_lit);
     return lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
 }
 
-/// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
-/// Direct3D 9 putting pixel centers at whole numbers; here coord is as everywhere else, and the half texel is taken
-/// off.
+/// The same filter as the DirectX SDK ShadowMap sample writes it: unrounded weights, and an epsilon added to the stored
+/// depth instead of a bias on the receiver.
 ///
-/// @param fetch      ivec2 texel -> stored depth; called four times
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, not biased; beyond 1: lit
-/// @param epsilon    in depth, added to the stored side of each comparison
-/// @return           visibility, 0 in shadow, 1 lit
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times, with indices up to one
+///                   texel outside the map
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel. The sample
+///                   puts texel centers at integers, as Direct3D 9 did. This function does not
+/// @param receiver   receiver depth in [0, 1], without a bias
+/// @param epsilon    depth in [0, 1], added to each stored depth before the comparison
+/// @return           visibility in [0, 1]: 0 in shadow, 1 lit
+///
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond 1: 1
 /// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
-/// @exactness        B, n = 20: S = (1 + 2 g.x) (1 + 2 g.y), g = coord + 1/2 + floor(coord - 1/2), twice coord or
-///                   so, as a weight is a difference of coordinates
+/// @exactness        B, n = 20: S = (1 + 2 g.x) (1 + 2 g.y), g = coord + 1/2 + floor(coord - 1/2). g is about twice
+///                   coord, since a weight is a difference of coordinates
 /// @cite             Microsoft DirectX SDK, ShadowMap sample
 template <real T, class Fetch>
 [[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
@@ -68,19 +77,20 @@ namespace glsl {
 
 inline constexpr snippet pcf_2x2{
     .name = "pcf_2x2",
-    .summary = "bilinear 2x2, weights in steps of 1/256",
+    .summary = "bilinear 2x2 PCF, weights in steps of 1/256",
     .exactness = tier::a,
     .needs = list<&in_filter_domain, &lit_2x2>,
     .source = R"GLSL(
-// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_pcf_2x2: bilinear 2x2 PCF. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                     UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 1) already. The clamp keeps compilers from regrouping sums across it
     UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
@@ -92,14 +102,16 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
 
 inline constexpr snippet pcf_2x2_dx_sdk{
     .name = "pcf_2x2_dx_sdk",
-    .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats",
+    .summary = "bilinear 2x2 PCF of the DirectX SDK sample, plain floats",
     .exactness = tier::b,
     .operations = 20,
     .needs = list<&compare_dx_sdk, &in_filter_domain, &fetch_depth>,
     .source = R"GLSL(
-// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+// umbrage_pcf_2x2_dx_sdk: 2x2 PCF of the DirectX SDK sample. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], no bias applied
+//   epsilon     depth added to each stored depth
 UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -125,7 +137,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
 
 namespace filters {
 
-/// The filter as a value.
+/// Bilinear 2x2 filter as a value.
 struct pcf_2x2 {
     static constexpr std::string_view name = "pcf_2x2";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
@@ -140,13 +152,13 @@ struct pcf_2x2 {
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
 
-/// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
+/// Filter of the DirectX SDK sample as a value. It compares with compare_dx_sdk.
 struct pcf_2x2_dx_sdk {
     static constexpr std::string_view name = "pcf_2x2_dx_sdk";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
 
-    float epsilon = 0.0f;  ///< in depth
-    less_equal is_lit{};   ///< depth runs forward; the epsilon comes on top
+    float epsilon = 0.0f;  ///< depth in [0, 1], added to each stored depth
+    less_equal is_lit{};   ///< forward depth only; the epsilon is added to the stored depth
 
     [[nodiscard]] constexpr float reach() const { return 1.0f; }
     template <class Fetch>

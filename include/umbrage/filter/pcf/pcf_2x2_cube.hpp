@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Bilinear percentage-closer filtering over 2 x 2 texels of a cube, whose faces are tiles of an atlas: taps go on over
-// the edges, so that no seam shows.
+// Bilinear percentage-closer filtering (PCF) over 2 x 2 texels of a cube map stored as tiles of an atlas. Taps cross
+// the edges of faces, so no seam shows.
 //
 //     glm::vec3 at = umbrage::cube_coordinate(world - light) * glm::vec3(size, size, 1);
 //     float visibility = umbrage::pcf_2x2_cube(umbrage::clamped(atlas), float(size), at, depth);
 //
-// A shader binds it to an atlas as it is, or to a texture of a cube:
+// In a shader, bind it to an atlas without options, or to a cube texture:
 //
 //     glsl::source(glsl::version::v330, {glsl::cube_coordinate,
 //                                        bind(glsl::pcf_2x2_cube, "lamp", {.texture = texture::cube_faces})});
 //     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_lamp(lamp, atlas, at, depth)
 //
-// Depths must not depend on the face that they lie on: distances from the light, as distance_depth gives them.
+// Depths must not depend on the face: store distances from the light, as distance_depth computes them.
+// Also called: seamless point light shadows, omnidirectional shadow map, TextureCube SampleCmp.
 #pragma once
 
 #include <glm/common.hpp>
@@ -24,10 +25,12 @@
 
 namespace umbrage {
 
-/// Visibility of one comparison with a texel of a cube, which may lie beyond an edge of its face.
-/// @param fetch   ivec2 -> stored depth, of an atlas with tiles as cube_tile has them
-/// @param size    of a face, in texels;   texel  (s, t, face), whole numbers
-/// @return        (1 when lit or 0 in shadow, 1); (0, 0) beyond a corner, where there is no texel
+/// Visibility from one comparison with a texel of a cube map. The texel may lie beyond an edge of its face.
+/// @param fetch   returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles as cube_tile places them
+/// @param size    edge of a face, in texels
+/// @param texel   (s, t, face), integers
+/// @return        (1 when lit or 0 in shadow, 1)
+/// @edge          beyond a corner, where there is no texel: (0, 0)
 /// @exactness     A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> cube_lit(Fetch&& fetch, T size, glm::vec<3, T> texel, T receiver, Compare is_lit = {}) {
@@ -37,16 +40,20 @@ template <real T, class Fetch, class Compare = less_equal>
     return {lit(fetch, first + glm::ivec2(n), receiver, is_lit), T(1)};
 }
 
-/// Share of a receiver that is lit, from the four nearest texels, each compared and then weighted, on whatever face
-/// they lie; at a corner three, with their weights' sum made 1.
-/// @param fetch      ivec2 -> stored depth, of an atlas with tiles as cube_tile has them; called up to four times
-/// @param size       of a face, in texels
-/// @param at         (s, t, face): s and t in texels, from 0 to size; NaN is lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @return           visibility, the same on either side of an edge
+/// Fraction of the light that reaches a receiver, from the four nearest texels on any face.
+///
+/// Each texel is compared, then weighted. A corner has only three texels, whose weights are scaled to sum to 1.
+/// @param fetch      returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles as cube_tile places
+///                   them. Called up to 4 times
+/// @param size       edge of a face, in texels
+/// @param at         (s, t, face): s and t in texels, from 0 to size
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1], the same on both sides of an edge
+/// @edge             NaN in at: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
-///                   to the nearest step, which is the same one from either side
-/// @exactness        C, n = 33: a division, by 1 but at corners. S is at most 81 / (sum of w_i)^2
+///                   to the nearest step, which is the same one from both sides
+/// @exactness        C, n = 33: a division, by 1 except at corners. S is at most 81 / (sum of w_i)^2
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
     const glm::vec<2, T> coord(at);
@@ -68,12 +75,15 @@ namespace glsl {
 
 inline constexpr snippet cube_lit{
     .name = "cube_lit",
-    .summary = "one comparison with a texel of a cube",
+    .summary = "one comparison with a texel of a cube map",
     .exactness = tier::a,
     .needs = list<&cube_neighbor, &cube_tile, &lit>,
     .source = R"GLSL(
-// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
-//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+// umbrage_cube_lit: one comparison with a texel of a cube map
+// Returns (visibility, 1.0), or (0.0, 0.0) beyond a corner
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   texel       (s, t, face), integers
+//   receiver    distance from the light, bias applied
 UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
                                     UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float side = size.y * 0.5;
@@ -87,21 +97,22 @@ UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
 
 inline constexpr snippet pcf_2x2_cube{
     .name = "pcf_2x2_cube",
-    .summary = "2 x 2 comparisons of a cube, over its edges too, bilinear weights",
+    .summary = "bilinear 2x2 PCF of a cube map, across its edges",
     .exactness = tier::c,
     .operations = 33,
     .needs = list<&in_filter_domain, &cube_lit>,
     .source = R"GLSL(
-// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
-//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
-//   receiver   distance from the light, biased
+// umbrage_pcf_2x2_cube: bilinear 2x2 PCF across the edges of a cube map. Returns visibility, 1.0 = lit
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   at          (s, t, face): s and t in texels of the face, from 0.0 on
+//   receiver    distance from the light, bias applied
 UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 1) already. The clamp keeps compilers from regrouping sums across it
     UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);

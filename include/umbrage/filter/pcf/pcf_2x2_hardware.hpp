@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// pcf_2x2 by the sampler: one look-up that compares four texels and weighs them.
+// Bilinear 2x2 percentage-closer filtering (PCF) by a comparison sampler: one fetch compares and weights four texels.
 //
 //     float visibility = umbrage::pcf_2x2_hardware(umbrage::bordered(map), coord, depth - bias);
 //
-// In a shader bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly; for any other map
-// it is pcf_2x2. The bound holds for samplers that weigh in steps of 1/256, as Direct3D has them, or finer. OpenGL
-// leaves what a linear filter does to comparisons to the implementation: Mesa's softpipe compares a filtered depth.
+// In a shader, bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly. For any other map
+// it is pcf_2x2. The bound holds for samplers whose weights have steps of 1/256, as in Direct3D, or finer steps.
+// OpenGL does not define how a linear filter treats comparisons: Mesa's softpipe compares a filtered depth.
+// Also called: hardware PCF, sampler2DShadow, SampleCmp. See also: pcf_2x2.hpp, exact on every GPU.
 //
 #pragma once
 
@@ -14,19 +15,19 @@
 
 namespace umbrage {
 
-/// What filters ask of a map whose sampler weighs comparisons, and what other maps give in its place: pcf_2x2.
-/// @param coord   no NaN; what is outside texel space counts as its border
+/// Weighted comparisons around a point, as a linear comparison sampler returns them. Other maps use pcf_2x2.
+/// @param coord   in texels, no NaN. Outside texel space it is clamped
 /// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
-/// @exactness     C, within 1/128: either axis' weight is the hardware's, within 1/256 of ours. With b bits
-///                of weight it is 2^(1 - b): Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), others state
-///                none
+/// @exactness     C, within 1/128: the hardware's weight along each axis is within 1/256 of this one. With b bits
+///                of weight the bound is 2^(1 - b). Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), other
+///                APIs state none
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_filtered(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
 }
 
-/// lit_filtered at a point in shares of the map's size: what a sampler takes, where the map is all of its texture.
-/// @param size   of the map, in texels
+/// lit_filtered at a point in [0, 1] over the map, as a sampler takes it when the map fills its texture.
+/// @param size   size of the map, in texels
 /// @param uv     from (0, 0) to (1, 1) over the map, no NaN
 /// @exactness    C, within 1/128, as lit_filtered
 template <real T, class Fetch, class Compare = less_equal>
@@ -34,8 +35,8 @@ template <real T, class Fetch, class Compare = less_equal>
     return lit_filtered(fetch, uv * size, receiver, is_lit);
 }
 
-/// What the sampler gives, but for the rounding of its weights: pcf_2x2.
-/// @return        visibility, 0 in shadow, 1 lit
+/// Bilinear 2x2 PCF as the sampler computes it, except for the rounding of its weights. Parameters as for pcf_2x2.
+/// @return        visibility in [0, 1]: 0 in shadow, 1 lit
 /// @exactness     C, within 1/128, as lit_filtered
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
@@ -46,14 +47,15 @@ namespace glsl {
 
 inline constexpr snippet lit_filtered{
     .name = "lit_filtered",
-    .summary = "comparisons around a point, weighted",
+    .summary = "weighted comparisons around a point in texels",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&pcf_2x2>,
     .role = hook::lit_filtered,
     .source = R"GLSL(
-// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
-//   coord  in texels, no NaN; what is outside texel space counts as its border
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+// The sampler of this map cannot weight comparisons, so the shader does
+//   coord   in texels, no NaN. Outside texel space it is clamped
 UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                          UMBRAGE_HIGHP float receiver) {
     return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
@@ -61,18 +63,18 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 )GLSL",
 };
 
-/// Of a comparison sampler that a map has for itself the look-up as it is; where a map is a region, or lit outside, or
-/// has no such sampler, lit_filtered.
+/// Plain fetch of a map with its own comparison sampler. Uses lit_filtered where the map is a region, is lit outside,
+/// or has no such sampler.
 inline constexpr snippet lit_at{
     .name = "lit_at",
-    .summary = "comparisons around a point of the map, weighted",
+    .summary = "weighted comparisons around a point in [0, 1]",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&lit_filtered>,
     .role = hook::lit_at,
     .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
                                    UMBRAGE_HIGHP float receiver) {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
@@ -82,14 +84,15 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 inline constexpr snippet pcf_2x2_hardware{
     .name = "pcf_2x2_hardware",
-    .summary = "2x2 by a comparison sampler with a linear filter",
+    .summary = "bilinear 2x2 PCF by a linear comparison sampler",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
     .source = R"GLSL(
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_pcf_2x2_hardware: bilinear 2x2 PCF by the sampler. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);

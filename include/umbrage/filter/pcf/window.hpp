@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Percentage-closer filtering under a window of weights that slides over the map in steps of 1/256 texel, so that
-// edges of shadows move as smoothly as receivers do.
+// Percentage-closer filtering (PCF) under a kernel of weights that slides over the map in steps of 1/256 texel. Shadow
+// edges move as smoothly as the receivers do.
 //
 //     float visibility = umbrage::tent<3>(umbrage::bordered(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
 //     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
 //     float softer = umbrage::window(umbrage::bordered(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
 //
-// In a shader a window asks for 2 x 2 texels at a time: bound to a map with `gather`, one of 3 x 3 weights takes 4
-// gathers, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
+// A shader reads 2 x 2 texels at a time. Bound to a map with `gather`, it takes 4 gathers for
+// 3 x 3 weights, 9 for 5 x 5 and 16 for 7 x 7.
 //
-// A window of n x n weights touches n + 1 texels an axis: each texel has its own weight and that of its neighbor, as
-// much of either as the window has moved. The library's rows of weights are in windows.hpp.
+// A kernel of n x n weights touches n + 1 texels per axis. Each texel has a blend of two neighboring weights,
+// in proportion to the distance that the kernel has moved.
+// Also called: PCF kernel, Gaussian PCF, weighted PCF. See also: windows.hpp, this library's rows of weights.
 #pragma once
 
 #include <array>
@@ -28,31 +29,31 @@ namespace umbrage {
 
 inline constexpr int max_window = 15;
 
-/// A row of weights, the same along both axes, as make_window_row makes it.
+/// Row of kernel weights, the same along both axes. Make it with make_window_row.
 struct window_row {
-    int size;                   ///< how many weights
-    std::array<float, 8> half;  ///< from the edge to the middle one; the others mirror them
-    int steps;                  ///< of a texel
-    float whole;                ///< what the touched texels' weights along an axis add up to: steps times their sum
-    float scale;                ///< 1 / whole^2
-    double scale_of_doubles;    ///< the same
-    bool quadratic = false;     ///< of two weights, but those of the quadratic B-spline
+    int size;                   ///< number of weights
+    std::array<float, 8> half;  ///< weights from the edge to the middle one; the others mirror them
+    int steps;                  ///< steps per texel
+    float whole;              ///< sum of the touched texels' weights along an axis: steps times the sum of all weights
+    float scale;              ///< 1 / whole^2
+    double scale_of_doubles;  ///< the same, for T = double
+    bool quadratic = false;   ///< two weights only: those of the quadratic B-spline instead
 
-    /// From one edge to the other, 0 beside the row.
+    /// Weight i, counted from one edge to the other. 0 outside the row.
     [[nodiscard]] constexpr float weight(int i) const {
         const int mirrored = i < size - 1 - i ? i : size - 1 - i;
         return mirrored < 0 ? 0.0f : half[static_cast<std::size_t>(mirrored)];
     }
     [[nodiscard]] constexpr int touched() const { return size + 1; }  ///< texels along an axis
-    /// From a receiver to the farthest point of its texels, in texels; never attained.
+    /// Distance from a receiver to the farthest point of its texels, in texels. Never attained.
     [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
 };
 
-/// A row of weights from what is to be told of it.
-/// @param size    weights, 1 .. 15
-/// @param half    from the edge to the middle one: size / 2 of them, rounded up; none is negative
-/// @param steps   of a texel, a power of two up to 256; times the sum of all weights it is a whole number up to 4096
-/// @throws std::invalid_argument  anything else
+/// Row of kernel weights for window().
+/// @param size    number of weights, 1 .. 15
+/// @param half    weights from the edge to the middle one, none negative: size / 2 of them, rounded up
+/// @param steps   per texel, a power of two up to 256. Times the sum of all weights it must be an integer up to 4096
+/// @throws std::invalid_argument  a parameter outside its range
 [[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
     constexpr auto function = "make_window_row";
     detail::require(size >= 1 && size <= max_window, function, "size", "from 1 to 15", size);
@@ -70,11 +71,11 @@ struct window_row {
     return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
 }
 
-/// Weights of the texels that a window touches along an axis, whole numbers that add up to row.whole.
-/// @param moved     by how much the window has moved, in 1/256 texel, 0 .. 255
-/// @param weights   row.touched() of them
-/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the middle one has
-///                  what is left. Quadratic: floor((256 - s)^2 / 32), what is left, floor(s^2 / 32)
+/// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
+/// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
+/// @param weights   receives row.touched() of them
+/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the middle one gets
+///                  the rest. Quadratic: floor((256 - s)^2 / 32), the rest, floor(s^2 / 32)
 template <real T>
 constexpr void window_weights(const window_row& row, int moved, T* weights) {
     const int steps = row.steps, s = moved * steps / 256, middle = row.size / 2, ahead = 256 - moved;
@@ -90,17 +91,20 @@ constexpr void window_weights(const window_row& row, int moved, T* weights) {
     weights[middle] = static_cast<T>(left);
 }
 
-/// Weighted count of the lit texels under a window.
+/// Weighted count of the lit texels under a kernel.
 ///
-/// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
-///                   as half of them
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: all lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param row        as make_window_row makes it
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called row.touched()^2 times, with indices
+///                   up to row.touched() / 2 texels outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param row        from make_window_row
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           0 .. row.whole^2
+///
+/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver: 0
 /// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
-///                   where 256 texel + moved = floor(256 coord), less 128 for an odd size
-/// @exactness        A: whole numbers up to 2^24
+///                   where 256 texel + moved = floor(256 coord), minus 128 for an odd size
+/// @exactness        A: integers up to 2^24
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                            Compare is_lit = {}) {
@@ -122,15 +126,15 @@ template <real T, class Fetch, class Compare = less_equal>
     return sum;
 }
 
-/// Lit share of a window; arguments as for window_sum.
-/// @return        visibility: 0 in shadow, 1 lit
+/// Weighted fraction of lit texels under a kernel. Parameters and edge cases as for window_sum.
+/// @return        visibility in [0, 1]: 0 in shadow, 1 lit
 /// @formula       window_sum / row.whole^2
 /// @exactness     A where row.whole is a power of two; else B: the sum is exact, its product with row.scale rounds once
 /// @cite          Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row, Compare is_lit = {}) {
     const T sum = window_sum(fetch, coord, receiver, row, is_lit), whole = static_cast<T>(row.whole);
-    if (!(sum < whole * whole)) return T(1);  // what a product of a rounded scale is only to nearest
+    if (!(sum < whole * whole)) return T(1);  // the product with a rounded scale might miss 1
     if constexpr (std::same_as<T, double>) return sum * row.scale_of_doubles;
     else return sum * row.scale;
 }
@@ -138,10 +142,10 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-/// The parameter of a window's i-th weight.
+/// Number of the parameter that holds a kernel's i-th weight.
 constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : size - 1 - i; }
 
-/// What the i-th of the touched texels weighs, floors left aside.
+/// Weight of the i-th touched texel, without the floors.
 [[nodiscard]] inline std::string window_weight(int size, int i) {
     const constant ahead{'a', window_parameter(size, i)}, behind{'b', window_parameter(size, i - 1)};
     return filled(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
@@ -151,11 +155,13 @@ constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : 
     const int middle = size / 2;
     const char *const quads[] = {"a", "b", "c", "d"}, *const lanes[] = {"x", "y", "z", "w"};
     std::string text = filled(R"GLSL(
-// umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k$m   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+// umbrage_window_sum$n: weighted count of the lit texels under a kernel that slides over the map, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   steps       per texel, a power of two up to 256
+//   k0 .. k$m    weights from the edge to the middle one. The others mirror them
+// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
 UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1)GLSL",
@@ -176,7 +182,7 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     append(text, "    UMBRAGE_HIGHP vec2 w$m = max(whole - (w0", {{'m', middle}});
     for (int i = 1; i <= size; ++i)
         if (i != middle) append(text, " + w$i", {{'i', i}});
-    // not negative already; compilers cannot regroup the sum n across the max
+    // not negative already. The max keeps compilers from regrouping the sum n across it
     append(text,
            "), vec2(0.0, 0.0));\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
            {{'m', middle}});
@@ -199,9 +205,9 @@ UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 template <int Size>
 inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size == 5 ? "window_sum5" : "window_sum7"),
-                                    .summary = Size == 3   ? "weighted count of lit texels under a window of 3 x 3"
-                                               : Size == 5 ? "weighted count of lit texels under a window of 5 x 5"
-                                                           : "weighted count of lit texels under a window of 7 x 7",
+                                    .summary = Size == 3   ? "weighted count of lit texels under a 3x3 kernel"
+                                               : Size == 5 ? "weighted count of lit texels under a 5x5 kernel"
+                                                           : "weighted count of lit texels under a 7x7 kernel",
                                     .exactness = tier::a,
                                     .needs = list<&in_filter_domain, &lit_2x2>,
                                     .source = {detail::window_sum_text, Size}};

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Windows by the sampler: a look-up between two texels weighs both, and where it lies says how much of either. So a
-// window of 3 x 3 weights takes 4 look-ups, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
+// Percentage-closer filtering (PCF) under a sliding kernel by a comparison sampler. One fetch between two texels
+// weights both. It takes 4 fetches for
+// 3 x 3 weights, 9 for 5 x 5 and 16 for 7 x 7.
 //
 //     constexpr umbrage::window_row row = umbrage::castano_row<5>;
 //     float visibility = umbrage::window_hardware(umbrage::bordered(map), coord, depth - bias, row);
 //     // in a shader umbrage_window_hardware5(map, size, coord, receiver, 1.0, 3.0, 4.0)
 //
-// Maps and samplers are as for pcf_2x2_hardware.hpp.
+// Maps and samplers as for pcf_2x2_hardware.hpp.
+// Also called: Castano's PCF, bilinear-merged PCF, optimized PCF. See also: window.hpp, exact on every GPU.
 //
 #pragma once
 
@@ -19,21 +21,24 @@
 
 namespace umbrage {
 
-/// Window of weights that slides over the map, in floats: by so much of a texel as the receiver lies beyond it.
+/// Weighted fraction of lit texels under a kernel that slides over the map, with unrounded weights.
 ///
-/// The two texels of a look-up divide between them what it weighs. A sampler whose fractions are off by up to e moves
-/// no more than e of that from one to the other: of all weights of an axis e, of both axes 2 e.
+/// The two texels of a fetch share its weight. A sampler whose fractions are off by up to e moves at most e of that
+/// weight from one to the other. The error is e of all weights for one axis, and 2 e for both.
 ///
-/// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
-///                   as half of them
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param row        of weights above zero, 3, 5 or 7 in a shader; its steps, and that it is quadratic, do not count
-/// @return           visibility, 0 in shadow, 1 lit
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called row.touched()^2 times, with indices
+///                   up to row.touched() / 2 texels outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param row        weights above zero; 3, 5 or 7 of them in a shader. row.steps and row.quadratic are ignored
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]: 0 in shadow, 1 lit
+///
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          sum of w_i w_j [receiver <= fetch(texel + (i, j) - size / 2)] / (sum of the weights)^2,
 ///                   w_i = K_i + s (K_(i-1) - K_i), texel + s = coord - 1/2 for an odd size, coord for an even
-/// @exactness        C, within 1/128: e is 1/256 of a sampler that rounds or truncates to it; on top its
-///                   coordinates round, by 2^-10 texel in a map of 8192
+/// @exactness        C, within 1/128: e is 1/256 for a sampler that rounds or truncates to it. Its coordinates
+///                   also round, by 2^-10 texel (1e-3) in a map of 8192
 /// @cite             Castano: Shadow mapping summary, part 1, 2013
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
@@ -56,7 +61,7 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-/// What an axis' texels 2 k and 2 k + 1 weigh together (w), and the latter alone (b).
+/// Weight of the texels 2 k and 2 k + 1 of an axis together (w), and of the second alone (b).
 [[nodiscard]] inline std::string pair_weights(int size, int k) {
     const constant number{'k', k}, before{'a', window_parameter(size, 2 * k - 1)},
         here{'b', window_parameter(size, 2 * k)}, after{'c', window_parameter(size, 2 * k + 1)};
@@ -70,7 +75,7 @@ namespace detail {
             "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
             "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
             {number, before, here});
-    if (2 * k == size / 2)  // the middle two of all, wherever the window is
+    if (2 * k == size / 2)  // middle two of all weights, wherever the kernel is
         return filled(
             "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
             "    UMBRAGE_HIGHP vec2 w$k = vec2(k$b + k$c, k$b + k$c);\n",
@@ -81,12 +86,15 @@ namespace detail {
         {number, before, here, after});
 }
 
-/// For each look-up along an axis: what the farther of its texels weighs, what both do, and where it lies.
+/// Weights and position of each fetch along an axis: weight of the farther texel, weight of both, position.
 [[nodiscard]] inline std::string window_hardware_text(int size) {
     std::string text = filled(R"GLSL(
-// umbrage_window_hardware$n: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   k0 .. k$m  weights from the edge to the middle one; the others mirror them
+// umbrage_window_hardware$n: PCF under a kernel that slides over the map, by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   k0 .. k$m    weights from the edge to the middle one. The others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
                                              UMBRAGE_HIGHP float k1)GLSL",
@@ -127,9 +135,9 @@ UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
 template <int Size>
 inline constexpr snippet window_hardware{
     .name = Size == 3 ? "window_hardware3" : (Size == 5 ? "window_hardware5" : "window_hardware7"),
-    .summary = Size == 3   ? "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter"
-               : Size == 5 ? "window of 5 x 5 by 9 of them"
-                           : "window of 7 x 7 by 16 of them",
+    .summary = Size == 3   ? "3x3 kernel, 4 fetches from a linear comparison sampler"
+               : Size == 5 ? "5x5 kernel, 9 fetches from a linear comparison sampler"
+                           : "7x7 kernel, 16 fetches from a linear comparison sampler",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,

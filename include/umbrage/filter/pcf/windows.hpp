@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The library's sliding windows, as functions and as values of one filter:
+// Sliding PCF kernels of this library, as functions and as values of one filter.
 //
 //     float visibility = umbrage::binomial<5>(umbrage::bordered(map), coord, depth - bias);
 //     umbrage::visibility(map, encoding, receivers, umbrage::filters::binomial<5>, out);
 //
 //     tent<2>, tent<3>, tent<7>    1 1; 1 2 1; 1 2 3 4 3 2 1
-//     binomial<5>, binomial<7>     1 4 6 4 1; 1 6 15 20 15 6 1: near a Gaussian of 1.1 and 1.3 texels
-//     castano<5>, castano<7>       1 3 4 3 1; 1 5 12 16 12 5 1: what shaders merge into 9 and 16 filtered comparisons
-//     castano_dyadic<5>            5 16 22 16 5: within 1.7 % of castano<5>, and exact, as binomial<7> is to castano<7>
-//     quadratic_b_spline           of 3 x 3 texels: edges without a kink
+//     binomial<5>, binomial<7>     1 4 6 4 1; 1 6 15 20 15 6 1. Close to a Gaussian of 1.1 and 1.3 texels
+//     castano<5>, castano<7>       1 3 4 3 1; 1 5 12 16 12 5 1. Shaders merge them into 9 and 16 filtered comparisons
+//     castano_dyadic<5>            5 16 22 16 5. Within 1.7 % of castano<5>, but exact. For castano<7> use binomial<7>
+//     quadratic_b_spline           of 3 x 3 texels, edges without a kink
+//
+// Also called: tent filter, Gaussian PCF, Castano's (The Witness) PCF, 3x3, 5x5 and 7x7 PCF.
 #pragma once
 
 #include <array>
@@ -21,8 +23,8 @@
 
 namespace umbrage {
 
-/// Rows with weights in sixteenths, so that what they add up to is a power of two. tent_row: each weight one step from
-/// its neighbors.
+/// Row of tent weights: each differs from its neighbors by one step. All rows here are in sixteenths where that makes
+/// their sum a power of two.
 template <int Size>
 inline constexpr window_row tent_row = [] {
     static_assert(Size == 2 || Size == 3 || Size == 7, "of other sizes the weights add up to no power of two");
@@ -30,56 +32,60 @@ inline constexpr window_row tent_row = [] {
     return make_window_row(Size, {step, 2 * step, 3 * step, 4 * step});
 }();
 
-/// Binomial coefficients.
+/// Row of binomial coefficients.
 template <int Size>
 inline constexpr window_row binomial_row = [] {
     static_assert(Size == 5 || Size == 7);
     return Size == 5 ? make_window_row(5, {1, 4, 6}) : make_window_row(7, {0.25f, 1.5f, 3.75f, 5});
 }();
 
-/// Castano's, whose sums are 12 and 52.
+/// Row of Castano's weights, whose sums are 12 and 52.
 template <int Size>
 inline constexpr window_row castano_row = [] {
     static_assert(Size == 5 || Size == 7);
     return Size == 5 ? make_window_row(5, {1, 3, 4}) : make_window_row(7, {1, 5, 12, 16}, 64);
 }();
 
-/// 5 16 22 16 5.
+/// Row 5 16 22 16 5.
 template <int Size>
 inline constexpr window_row castano_dyadic_row = [] {
     static_assert(Size == 5);
     return make_window_row(5, {1.25f, 4, 5.5f});
 }();
 
-/// Weights (1 - f)^2 / 2, 3/4 - (f - 1/2)^2 and f^2 / 2 within 3.9e-4.
+/// Row of the quadratic B-spline: weights (1 - f)^2 / 2, 3/4 - (f - 1/2)^2 and f^2 / 2 within 3.9e-4.
 inline constexpr window_row quadratic_b_spline_row = [] {
     window_row row = make_window_row(2, {8});
     row.quadratic = true;
     return row;
 }();
 
-/// window() of the rows of that name; its arguments without the row.
+/// PCF under a tent: window() with tent_row. Parameters and result as for window(), without the row.
 /// @exactness   A
 template <int Size, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T tent(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return window(fetch, coord, receiver, tent_row<Size>, is_lit);
 }
+/// PCF under a binomial kernel: window() with binomial_row.
 /// @exactness   A
 template <int Size, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T binomial(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return window(fetch, coord, receiver, binomial_row<Size>, is_lit);
 }
+/// PCF under Castano's kernel: window() with castano_row.
 /// @exactness   B, n = 80 or 138, S = 1: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
 /// @cite        Castano: Shadow mapping summary, part 1, 2013
 template <int Size, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T castano(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return window(fetch, coord, receiver, castano_row<Size>, is_lit);
 }
+/// PCF under a kernel close to Castano's, but exact: window() with castano_dyadic_row.
 /// @exactness   A
 template <int Size, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T castano_dyadic(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return window(fetch, coord, receiver, castano_dyadic_row<Size>, is_lit);
 }
+/// PCF under the quadratic B-spline: window() with quadratic_b_spline_row.
 /// @exactness   A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T quadratic_b_spline(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
@@ -89,14 +95,15 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-/// A row's text: window_sum with its numbers, and what becomes of it.
+/// Shader text of a row: window_sum with the row's numbers, then the scale.
 [[nodiscard]] inline std::string window_text(std::string_view name, int size, std::string_view weights,
                                              std::string_view numbers,
                                              std::string_view share = "clamp(n * (1.0 / 16777216.0), 0.0, 1.0)") {
     return filled(R"GLSL(
-// umbrage_$f$n: lit share under $n x $n weights, $w, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_$f$n: PCF under $n x $n weights, $w, that slide over the map. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float n = umbrage_window_sum$n(map, size, coord, receiver, $k);
@@ -106,19 +113,20 @@ UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
                   {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
 }
 
-/// Of the windows of 3 x 3 texels: what the neighbors before and behind weigh, in 1/4096.
+/// Shader text of a kernel over 3 x 3 texels. before and behind are the neighbors' weights, in 1/4096.
 [[nodiscard]] inline std::string text_3x3(std::string_view name, std::string_view what, std::string_view before,
                                           std::string_view behind) {
     return filled(R"GLSL(
-// umbrage_$f: lit share of 3 x 3 texels, $w; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_$f: PCF over 3 x 3 texels, $w. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    // s is in [0, 256) already, w1 not negative. clamp and max keep compilers from regrouping sums across them
     UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
     UMBRAGE_HIGHP vec2 r = 256.0 - s;
     UMBRAGE_HIGHP vec2 w0 = $b;
@@ -137,7 +145,7 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
                   {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
 }
 
-/// What a family's texts need, by the size of their window.
+/// Snippets that a family's texts need, by the size of the kernel.
 template <int Size>
 inline constexpr const auto& window_needs = list<&window_sum<Size>>;
 template <>
@@ -153,7 +161,7 @@ inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>
 template <int Size>
 inline constexpr snippet tent{
     .name = Size == 2 ? "tent2" : (Size == 3 ? "tent3" : "tent7"),
-    .summary = Size == 2 ? "sliding window 1 1" : (Size == 3 ? "sliding window 1 2 1" : "sliding window 1 2 3 4 3 2 1"),
+    .summary = Size == 2 ? "PCF kernel 1 1" : (Size == 3 ? "PCF kernel 1 2 1" : "PCF kernel 1 2 3 4 3 2 1"),
     .exactness = tier::a,
     .needs = detail::window_needs<Size>,
     .source = {tent_text, Size}};
@@ -164,7 +172,7 @@ inline constexpr snippet tent{
 }
 template <int Size>
 inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
-                                  .summary = Size == 5 ? "sliding window 1 4 6 4 1" : "sliding window 1 6 15 20 15 6 1",
+                                  .summary = Size == 5 ? "PCF kernel 1 4 6 4 1" : "PCF kernel 1 6 15 20 15 6 1",
                                   .exactness = tier::a,
                                   .needs = detail::window_needs<Size>,
                                   .source = {binomial_text, Size}};
@@ -177,7 +185,7 @@ inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
 }
 template <int Size>
 inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
-                                 .summary = Size == 5 ? "sliding window 1 3 4 3 1" : "sliding window 1 5 12 16 12 5 1",
+                                 .summary = Size == 5 ? "PCF kernel 1 3 4 3 1" : "PCF kernel 1 5 12 16 12 5 1",
                                  .exactness = tier::b,
                                  .operations = Size == 5 ? 80 : 138,
                                  .needs = detail::window_needs<Size>,
@@ -189,7 +197,7 @@ template <int Size>
 }
 template <int Size>
 inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
-                                        .summary = "sliding window 5 16 22 16 5",
+                                        .summary = "PCF kernel 5 16 22 16 5",
                                         .exactness = tier::a,
                                         .needs = detail::window_needs<Size>,
                                         .source = castano_dyadic_text<Size>};
@@ -199,7 +207,7 @@ inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
                             "floor(s * s * (1.0 / 32.0))");
 }
 inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
-                                            .summary = "quadratic B-spline of 3 x 3 texels",
+                                            .summary = "PCF kernel of the quadratic B-spline, 3x3 texels",
                                             .exactness = tier::a,
                                             .needs = detail::window_needs<2>,
                                             .source = quadratic_b_spline_text};
@@ -208,14 +216,14 @@ inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
 
 namespace filters {
 
-/// A sliding window as a value: the library's by name below, or with a row of one's own.
+/// Sliding PCF kernel as a value: one of this library's below, or one with your own row.
 struct window {
     window_row row = tent_row<3>;
     comparison is_lit{};
     std::string_view name = "window";
-    const glsl::snippet* snippet = nullptr;  ///< of the same result; none for rows of one's own
+    const glsl::snippet* snippet = nullptr;  ///< returns the same result; none for your own rows
 
-    static const std::array<window, 9> values;  ///< the library's
+    static const std::array<window, 9> values;  ///< kernels of this library
 
     [[nodiscard]] constexpr float reach() const { return row.reach(); }
     template <class Fetch>

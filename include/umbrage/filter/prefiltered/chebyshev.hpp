@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What mean and variance of depths say of how many of them are lit: the one-sided inequality of Chebyshev, and how to
-// cut off the light that it lets through.
+// Chebyshev's one-sided inequality for variance shadow maps (VSM): an upper bound on visibility from the mean and
+// variance of depths. Also a reduction of light bleeding.
 //
 //     float lit = umbrage::chebyshev(moments, receiver, 1e-6f);
 //     lit = umbrage::reduce_light_bleeding(lit, 0.2f);
 //
-// Before the cut no receiver is darker than the share of depths that light it. Behind casters that lie behind each
-// other it is lighter: at a distance b behind the farther of two that are a apart by up to (a / (a + 2 b))^2.
+// Before the reduction, no receiver is darker than its lit fraction of depths. Light bleeds behind two casters, one
+// behind the other: at distances a between them and b behind the farther one, by up to (a / (a + 2 b))^2.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -19,8 +19,8 @@
 
 namespace umbrage {
 
-/// Depth that grows with the distance from the light, whichever way the map's does: prefiltered maps hold it.
-/// @param cleared   1, or 0 where depth is reversed
+/// Depth that grows with the distance from the light, in either depth direction of the map. Prefiltered maps store it.
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
 /// @formula         1 - depth where depth is reversed, else depth
 /// @exactness       B, n = 1
 template <real T>
@@ -28,16 +28,17 @@ template <real T>
     return detail::pick(cleared < T(0.5), T(1) - depth, depth);
 }
 
-/// Share of depths that may be as far as the receiver or farther, at most.
+/// Upper bound on the fraction of depths that are at the receiver's depth or farther.
 ///
 /// @param m              mean of the depths, mean of their squares
-/// @param receiver       on the same scale
-/// @param min_variance   >= 0, no NaN; what rounding leaves of the variance of equal depths must stay below it
-/// @return               visibility, 0 to 1; 0 where something is NaN, or where depths without variance lie before the
-///                       receiver and min_variance is 0
+/// @param receiver       receiver depth, on the same scale
+/// @param min_variance   >= 0, no NaN. Must be above the variance that rounding gives to equal depths
+/// @return               visibility in [0, 1]
+/// @edge                 NaN in m or receiver: 0. Depths without variance nearer to the light than the receiver, and
+///                       min_variance 0: 0
 /// @formula              receiver <= m.x ? 1 : v / (v + (receiver - m.x)^2), v = max(m.y - m.x^2, min_variance)
 /// @exactness            C, n = 11: a division. S = V (V + (receiver + |m.x|)^2) / (v + (receiver - m.x)^2)^2, V = m.y
-///                       + m.x^2 or min_variance; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the
+///                       + m.x^2 or min_variance. For depths up to 1, within (1 / (4 min_variance) + 4) 2^-24 of the
 ///                       formula in reals
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
@@ -50,9 +51,8 @@ template <real T>
     return detail::pick(bool(int(receiver <= m.x) & int(!is_nan(receiver)) & int(!is_nan(m.x))), T(1), dark);
 }
 
-/// Visibility without its least values, stretched to 0 to 1: light that bleeds through is gone, shadows' edges are
-/// darker and harder.
-/// @param amount      what becomes 0, 0 to 1; 0.2 is usual
+/// Visibility above a threshold, stretched to [0, 1]. Removes light bleeding, but makes shadow edges darker and harder.
+/// @param amount      visibility that becomes 0, in [0, 1]; 0.2 is usual
 /// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
 /// @exactness         C, n = 5: a division. S = (visibility + amount) (1 + amount) / (1 - amount)^2
 template <real T>
@@ -65,12 +65,12 @@ namespace glsl {
 
 inline constexpr snippet to_forward_depth{
     .name = "to_forward_depth",
-    .summary = "depth that grows with distance",
+    .summary = "depth that grows with the distance from the light",
     .exactness = tier::b,
     .operations = 1,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -79,12 +79,14 @@ UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet chebyshev{
     .name = "chebyshev",
-    .summary = "most that mean and variance let be lit",
+    .summary = "upper bound on visibility from mean and variance",
     .exactness = tier::c,
     .operations = 11,
     .source = R"GLSL(
-// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
-//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+// umbrage_chebyshev: upper bound on the fraction of depths at the receiver's depth or farther. 0.0 for NaN
+//   m              mean of the depths, mean of their squares
+//   receiver       receiver depth, on the same scale
+//   min_variance   0.0 or more
 UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                       UMBRAGE_HIGHP float min_variance) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float difference = m.y - m.x * m.x;
@@ -99,11 +101,11 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
 
 inline constexpr snippet reduce_light_bleeding{
     .name = "reduce_light_bleeding",
-    .summary = "visibility without its least values",
+    .summary = "visibility above a threshold, stretched to [0, 1]",
     .exactness = tier::c,
     .operations = 5,
     .source = R"GLSL(
-// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0, stretched to 0.0 to 1.0
 UMBRAGE_HIGHP float umbrage_reduce_light_bleeding(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float stretched = (visibility - amount) / (1.0 - amount);
     return visibility > amount ? stretched : 0.0;

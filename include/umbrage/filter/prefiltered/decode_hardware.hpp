@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Variance shadow maps as GPUs have them cheapest: what the sampler filtered, the GPU's own exp2 and division, sums
-// fused as it likes, and the cut of bleeding light taken along. Within a bound of the same formula, not of its bits.
+// Variance and exponential variance shadow maps (VSM, EVSM) at the lowest GPU cost: sampler filtering, the GPU's own
+// exp2 and division, fused sums, and a reduction of light bleeding. Results are within a bound, not bit-exact.
 //
-//     float lit = umbrage::decode_vsm_hardware(held, receiver, 1e-6f, 0.2f);  // held: of encode_deviation
+//     float lit = umbrage::decode_vsm_hardware(held, receiver, 1e-6f, 0.2f);  // held: from encode_deviation
 //     lit = umbrage::decode_evsm2_hardware(moments, receiver, exponent, deviation, 0.2f);
 //
-// Mean and deviation are filtered as they are: there is no difference of squares that rounding could take away.
+// Mean and deviation are filtered directly. No difference of squares is left that rounding could cancel.
+// See also: vsm.hpp, evsm.hpp.
 #pragma once
 
 #include <cmath>
@@ -21,7 +22,7 @@ namespace umbrage {
 
 namespace detail {
 
-/// Below 2^20 in size, as all depths are; what is not is in shadow.
+/// True for |receiver| < 2^20, as for every depth. Other receivers are in shadow.
 template <real T>
 [[nodiscard]] constexpr bool is_depth(T receiver) {
     return !is_nan(receiver) && receiver < T(1048576) && receiver > T(-1048576);
@@ -29,13 +30,13 @@ template <real T>
 
 }  // namespace detail
 
-/// chebyshev and reduce_light_bleeding in one.
-/// @param variance   above 0 by a normal number
-/// @param distance   from the mean to the receiver, no NaN; what is not above 0 is lit
-/// @param amount     as of reduce_light_bleeding, 0 to 1/2
+/// chebyshev() and reduce_light_bleeding() in one.
+/// @param variance   a positive normal number
+/// @param distance   from the mean to the receiver, no NaN. Not above 0: lit
+/// @param amount     as for reduce_light_bleeding, 0 to 1/2
 /// @formula          clamp((p - amount) / (1 - amount), 0, 1), p = variance / (variance + max(distance, 0)^2)
-/// @exactness        C, within 1/524288: sum and product half an ulp each, of divisions GPUs promise 2.5, and
-///                   the cut doubles that
+/// @exactness        C, within 1/524288: sum and product are off by half an ulp each, divisions by the 2.5 ulp that
+///                   GPUs guarantee. The reduction doubles that
 template <real T>
 [[nodiscard]] constexpr T chebyshev_hardware(T variance, T distance, T amount) {
     const T beyond = distance > T(0) ? distance : T(0);
@@ -43,14 +44,16 @@ template <real T>
     return glm::clamp((p - amount) / (T(1) - amount), T(0), T(1));
 }
 
-/// @param held           mean and twice the standard deviation, as encode_deviation has them, filtered; no NaN
-/// @param receiver       depth, biased; NaN, and from 2^20 on on either side: in shadow
+/// Visibility from filtered mean and deviation, with light bleeding reduced.
+/// @param held           mean and twice the standard deviation, from encode_deviation, filtered; no NaN
+/// @param receiver       receiver depth, with the bias already applied
 /// @param min_variance   1e-7 or more
-/// @param amount         as of reduce_light_bleeding, 0 to 1/2
+/// @param amount         as for reduce_light_bleeding, 0 to 1/2
+/// @edge                 NaN receiver, or |receiver| >= 2^20: 0
 /// @formula              chebyshev_hardware(max((held.y / 2)^2, min_variance), d - held.x, amount),
 ///                       d = to_forward_depth(receiver)
 /// @exactness            C, within 1/1024: a distance off by 2^-23 moves p by at most 0.65 2^-23 /
-///                       sqrt(min_variance), which the cut doubles; and chebyshev_hardware
+///                       sqrt(min_variance), and the reduction doubles that. chebyshev_hardware adds its own error
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
 template <real T>
 [[nodiscard]] constexpr T decode_vsm_hardware(glm::vec<2, T> held, T receiver, T min_variance, T amount,
@@ -60,17 +63,19 @@ template <real T>
     return chebyshev_hardware(variance, to_forward_depth(receiver, cleared) - held.x, amount);
 }
 
-/// @param m           mean of encode_evsm2's texels; no NaN
-/// @param receiver    depth, biased; outside [0, 1] the nearer end counts; NaN, and from 2^20 on on either side: in
-///                    shadow
-/// @param exponent    as of the texels, at most 55
-/// @param deviation   as of decode_evsm2, 0.005 or more
-/// @param amount      as of reduce_light_bleeding, 0 to 0.3
+/// Visibility from a mean of encode_evsm2's texels, with light bleeding reduced.
+/// @param m           mean of texels; no NaN
+/// @param receiver    receiver depth in [0, 1], with the bias already applied; clamped
+/// @param exponent    same as for the texels, at most 55
+/// @param deviation   as for decode_evsm2, 0.005 or more
+/// @param amount      as for reduce_light_bleeding, 0 to 0.3
+/// @edge              NaN receiver, or |receiver| >= 2^20: 0
 /// @formula           chebyshev_hardware(max(m.y - m.x^2, (deviation w)^2), w - m.x, amount),
 ///                    w = exponential_warp(to_forward_depth(clamp(receiver, 0, 1)), exponent)
-/// @exactness         C, within 1/64. exp2 of y is promised to 3 + 2 |y| ulp; with y's own rounding on
-///                    either side w is off by e = (5 + 4 exponent) 2^-23 of itself, and p by 0.65 e / deviation + e.
-///                    Moments fused or not: 2 (2^-24 / deviation^2 + 2^-21). The cut divides both by 1 - amount
+/// @exactness         C, within 1/64. GPUs guarantee exp2 of y to 3 + 2 |y| ulp. With y's own rounding on both
+///                    sides, w is off by e = (5 + 4 exponent) 2^-23 of itself, and p by 0.65 e / deviation + e.
+///                    Fusing the moments or not adds 2 (2^-24 / deviation^2 + 2^-21). The reduction divides both by
+///                    1 - amount
 /// @cite              Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] constexpr T decode_evsm2_hardware(glm::vec<2, T> m, T receiver, T exponent, T deviation, T amount,
@@ -81,9 +86,10 @@ template <real T>
     return chebyshev_hardware(detail::greater(m.y - m.x * m.x, least * least), w - m.x, amount);
 }
 
-/// @param m           mean of encode_evsm4's texels; no NaN
-/// @param receiver    as of decode_evsm2_hardware, and so are exponents, deviations and amount
-/// @formula           the lesser of decode_evsm2_hardware's for either power
+/// Visibility from a mean of encode_evsm4's texels, with light bleeding reduced.
+/// @param m           mean of texels; no NaN
+/// @param receiver    as for decode_evsm2_hardware, and so are exponents, deviations and amount
+/// @formula           the smaller of decode_evsm2_hardware's results for the two powers
 /// @exactness         C, within 1/64, as decode_evsm2_hardware
 template <real T>
 [[nodiscard]] constexpr T decode_evsm4_hardware(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
@@ -101,12 +107,14 @@ namespace glsl {
 
 inline constexpr snippet chebyshev_hardware{
     .name = "chebyshev_hardware",
-    .summary = "most that a variance lets be lit, less the light that bleeds",
+    .summary = "Chebyshev bound with light bleeding reduced",
     .exactness = tier::c,
     .within = 1.0f / 524288.0f,
     .source = R"GLSL(
-// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
-//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+// umbrage_chebyshev_hardware: upper bound on visibility with light bleeding reduced
+//   variance   above 0.0
+//   distance   from the mean to the receiver, no NaN
+//   amount     visibility that becomes 0.0, 0.0 to 0.5
 UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMBRAGE_HIGHP float distance,
                                                UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float beyond = max(distance, 0.0);
@@ -118,14 +126,16 @@ UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMB
 
 inline constexpr snippet decode_vsm_hardware{
     .name = "decode_vsm_hardware",
-    .summary = "mean and deviation to visibility, the cheapest way",
+    .summary = "VSM: mean and deviation to visibility, at the lowest cost",
     .exactness = tier::c,
     .within = 1.0f / 1024.0f,
     .needs = list<&chebyshev_hardware, &to_forward_depth>,
     .source = R"GLSL(
-// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
-//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+// umbrage_decode_vsm_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   held           mean and twice the standard deviation of depths, filtered
+//   receiver       receiver depth, bias applied
+//   min_variance   1e-7 or more
+//   amount         visibility that becomes 0.0, 0.0 to 0.5
 UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE_HIGHP float receiver,
                                                 UMBRAGE_HIGHP float min_variance, UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float variance = max(held.y * held.y * 0.25, min_variance);
@@ -138,14 +148,17 @@ UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE
 
 inline constexpr snippet decode_evsm2_hardware{
     .name = "decode_evsm2_hardware",
-    .summary = "mean of texels of two components to visibility, by the GPU's own exp2",
+    .summary = "EVSM: two components to visibility, by the GPU's own exp2",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .needs = list<&chebyshev_hardware, &to_forward_depth>,
     .source = R"GLSL(
-// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
-//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+// umbrage_decode_evsm2_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   m           mean of texels
+//   receiver    receiver depth in [0, 1], bias applied
+//   exponent    same as for the texels
+//   deviation   minimum standard deviation, relative to the receiver's power
+//   amount      visibility that becomes 0.0, 0.0 to 0.3
 UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                                   UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
                                                   UMBRAGE_HIGHP float amount) {
@@ -161,14 +174,17 @@ UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_
 
 inline constexpr snippet decode_evsm4_hardware{
     .name = "decode_evsm4_hardware",
-    .summary = "mean of texels of four components to visibility, by the GPU's own exp2",
+    .summary = "EVSM: four components to visibility, by the GPU's own exp2",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .needs = list<&chebyshev_hardware, &to_forward_depth>,
     .source = R"GLSL(
-// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
-//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+// umbrage_decode_evsm4_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   m            mean of texels
+//   receiver     receiver depth in [0, 1], bias applied
+//   exponents    same as for the texels
+//   deviations   minimum standard deviations, relative to the receiver's powers
+//   amount       visibility that becomes 0.0, 0.0 to 0.3
 UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                                   UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations,
                                                   UMBRAGE_HIGHP float amount) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Exponential shadow maps: a texel holds a power of depth, which may be blurred, halved and filtered by the sampler.
+// Exponential shadow maps (ESM): each texel stores a power of depth. Texels can be blurred, mipmapped and filtered by
+// the sampler.
 //
 //     const auto esm = umbrage::make_esm({.exponent = 40.0f});  // throws where floats would overflow
 //     float texel = umbrage::encode_esm(depth, esm.exponent);
 //     float visibility = umbrage::decode_esm(blurred, receiver, esm.exponent);
 //
-// A receiver is as light as the mean of what its texels let through, 2^(2 exponent (depth - receiver)) each, at most 1:
-// a caster lets 1/100 through that is 3.3 / exponent nearer. One lit texel far behind the receiver outweighs all its
-// casters.
+// Visibility is the mean of 2^(2 exponent (depth - receiver)) over the texels, at most 1. A caster nearer by
+// 3.3 / exponent lets 1/100 of the light through. One lit texel far behind the receiver outweighs all its casters.
+// See also: evsm.hpp, which has less light bleeding.
 #pragma once
 
 #include <umbrage/core/check.hpp>
@@ -17,7 +18,7 @@
 
 namespace umbrage {
 
-/// What a prefiltered map's texels are stored in.
+/// Float format in which the texels of a prefiltered map are stored.
 enum class float_store { half, single };
 
 /// Depth on the scale of exponential shadow maps.
@@ -31,22 +32,26 @@ template <real T>
     return exp2_polynomial(exponent * (depth * T(2) - T(1)));
 }
 
-/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: 2^exponent
-/// @param exponent  0 to 63
-/// @formula         exponential_warp(to_forward_depth)
-/// @exactness       B, n = 36
+/// Texel of an exponential shadow map.
+/// @param depth      in [0, 1]; clamped
+/// @param exponent   0 to 63
+/// @edge             NaN: 2^exponent, as the far plane and a cleared texel
+/// @formula          exponential_warp(to_forward_depth)
+/// @exactness        B, n = 36
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T cleared = T(1)) {
     return exponential_warp(to_forward_depth(saturate(depth, cleared), cleared), exponent);
 }
 
-/// @param m         mean of texels; NaN is in shadow
-/// @param receiver  depth, biased; nearer than 0 is lit as 0 is; NaN is in shadow
-/// @return          visibility, 0 to 1, before reduce_light_bleeding: at least the lit share, less 2^-20
-/// @formula         min(m 2^(-exponent (2 d - 1)), 1), d = to_forward_depth(receiver)
-/// @exactness       B, n = 37;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers,
-///                  each off by 1.8e-7 of it, and their product
-/// @cite            Annen et al.: Exponential shadow maps, Graphics Interface 2008
+/// Visibility from a mean of texels of an exponential shadow map.
+/// @param m          mean of texels
+/// @param receiver   receiver depth, with the bias already applied
+/// @return           visibility in [0, 1], before reduce_light_bleeding: at least the lit fraction, minus 2^-20 (1e-6)
+/// @edge             NaN m or receiver: 0. Receiver nearer than 0: as lit as at 0
+/// @formula          min(m 2^(-exponent (2 d - 1)), 1), d = to_forward_depth(receiver)
+/// @exactness        B, n = 37;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers,
+///                   each off by 1.8e-7 of itself, and their product
+/// @cite             Annen et al.: Exponential shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T cleared = T(1)) {
     const T d = to_forward_depth(receiver, cleared);
@@ -55,15 +60,16 @@ template <real T>
     return detail::pick(bool(int(p > T(0)) & int(!is_nan(p)) & int(!is_nan(d))), lit, T(0));
 }
 
-/// Set-up of exponential shadow maps.
+/// Settings of exponential shadow maps.
 struct esm_settings {
-    float exponent = 40.0f;  ///< of 2, at the far plane; twice that is the C of 2^(C depth)
+    float exponent = 40.0f;  ///< binary exponent at the far plane; twice it is the C of 2^(C depth)
     float_store store = float_store::single;
 };
 
-/// @return   the settings
-/// @throws std::invalid_argument   exponent not above 0, or beyond what keeps the texels and their inverses normal
-///                                 numbers: 63 in 32 bits, 14 in 16
+/// Checks the settings.
+/// @return   the settings, unchanged
+/// @throws std::invalid_argument   exponent not above 0, or above 63 in 32 bits, 14 in 16. Within these limits the
+///                                 texels and their inverses are normal numbers
 [[nodiscard]] inline esm_settings make_esm(const esm_settings& settings) {
     const bool single = settings.store == float_store::single;
     detail::require(settings.exponent > 0.0f && settings.exponent <= (single ? 63.0f : 14.0f), "make_esm", "exponent",
@@ -91,12 +97,12 @@ UMBRAGE_HIGHP float umbrage_exponential_warp(UMBRAGE_HIGHP float depth, UMBRAGE_
 
 inline constexpr snippet encode_esm{
     .name = "encode_esm",
-    .summary = "depth to a texel of an exponential shadow map",
+    .summary = "ESM: depth to a texel",
     .exactness = tier::b,
     .operations = 36,
     .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
-// umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
+// umbrage_encode_esm: texel of an exponential shadow map, from depth in [0, 1]. NaN counts as far
 UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
     return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }
@@ -105,13 +111,15 @@ UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP 
 
 inline constexpr snippet decode_esm{
     .name = "decode_esm",
-    .summary = "mean of texels of an exponential shadow map to visibility",
+    .summary = "ESM: mean of texels to visibility",
     .exactness = tier::b,
     .operations = 37,
     .needs = list<&to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
-// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+// umbrage_decode_esm: visibility of a receiver from an exponential shadow map, at least its lit fraction. 1.0 = lit
+//   m          mean of texels
+//   receiver   receiver depth, bias applied
+//   exponent   same as for the texels
 UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP float receiver,
                                        UMBRAGE_HIGHP float exponent) {
     UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Exponential variance shadow maps: a texel holds a power of depth and its square, and with four components a negative
-// one besides. They let less light through than depth's own moments, which is where both powers let it.
+// Exponential variance shadow maps (EVSM): each texel stores a power of depth and its square. With four components it
+// also stores a negative power and its square. Less light bleeds than in VSM: only where both powers let it through.
 //
 //     const auto evsm = umbrage::make_evsm({.exponent = 40.0f});  // throws where floats would overflow
 //     glm::vec4 texel = umbrage::encode_evsm4(depth, evsm.exponents);
 //     float visibility = umbrage::decode_evsm4(blurred, receiver, evsm.exponents, evsm.deviations);
 //
+// Also called: EVSM2, EVSM4. See also: vsm.hpp, msm.hpp.
 #pragma once
 
 #include <cmath>
@@ -20,20 +21,24 @@
 
 namespace umbrage {
 
-/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does
-/// @param exponent  0 to 55
-/// @formula         (w, w^2), w = exponential_warp(to_forward_depth)
-/// @exactness       B, n = 73
+/// Texel of two components: a power of depth and its square.
+/// @param depth      in [0, 1]; clamped
+/// @param exponent   0 to 55
+/// @edge             NaN: as the far plane and a cleared texel
+/// @formula          (w, w^2), w = exponential_warp(to_forward_depth)
+/// @exactness        B, n = 73
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T cleared = T(1)) {
     const T w = exponential_warp(to_forward_depth(saturate(depth, cleared), cleared), exponent);
     return {w, w * w};
 }
 
-/// @param depth      clamped to [0, 1]; NaN counts as far, as a cleared texel does
-/// @param exponents  of the growing power and of the falling one, 0 to 55
-/// @formula          (w, w^2, n, n^2), w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y)
-/// @exactness        B, n = 73
+/// Texel of four components: a growing and a falling power of depth, and their squares.
+/// @param depth       in [0, 1]; clamped
+/// @param exponents   of the growing and of the falling power, 0 to 55
+/// @edge              NaN: as the far plane and a cleared texel
+/// @formula           (w, w^2, n, n^2), w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y)
+/// @exactness         B, n = 73
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents,
                                                                    T cleared = T(1)) {
@@ -44,7 +49,7 @@ template <real T>
 
 namespace detail {
 
-/// chebyshev of powers, whose least deviation is a part of the receiver's.
+/// chebyshev() of powers, with a minimum deviation relative to the receiver's power.
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T warped_chebyshev(glm::vec<2, T> m, T w, T deviation) {
     const T least = deviation * w;
@@ -53,13 +58,16 @@ template <real T>
 
 }  // namespace detail
 
+/// Visibility from a mean of texels of two components.
 /// @param m          mean of texels
-/// @param receiver   depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
-/// @param deviation  least standard deviation, as a part of the receiver's power: a least deviation of depth times
-///                   2 ln(2) exponent, as make_evsm has it
-/// @return           visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
+/// @param receiver   receiver depth in [0, 1], with the bias already applied; clamped
+/// @param exponent   same as for the texels
+/// @param deviation  minimum standard deviation, relative to the receiver's power. make_evsm computes it: a minimum
+///                   deviation of depth times 2 ln(2) exponent
+/// @return           visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
+/// @edge             NaN receiver: 0
 /// @formula          chebyshev(m, w, (deviation w)^2), w = exponential_warp(to_forward_depth(saturate(receiver)))
-/// @exactness        C, n = 229: a division. S is chebyshev's with S(w) for w; within 2^-24 / deviation^2 + 2^-21 of
+/// @exactness        C, n = 229: a division. S is chebyshev's with S(w) for w. Within 2^-24 / deviation^2 + 2^-21 of
 ///                   the formula in reals of the same powers
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
@@ -70,12 +78,14 @@ template <real T>
     return detail::pick(is_nan(receiver), T(0), lit);
 }
 
+/// Visibility from a mean of texels of four components.
 /// @param m           mean of texels
-/// @param receiver    depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
-/// @param exponents   as of the texels
-/// @param deviations  least standard deviations, as parts of the receiver's powers
-/// @return            visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
-/// @formula           the lesser of decode_evsm2's for either power
+/// @param receiver    receiver depth in [0, 1], with the bias already applied; clamped
+/// @param exponents   same as for the texels
+/// @param deviations  minimum standard deviations, relative to the receiver's powers, from make_evsm
+/// @return            visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
+/// @edge              NaN receiver: 0
+/// @formula           the smaller of decode_evsm2's results for the two powers
 /// @exactness         C, n = 229: a division. S as decode_evsm2
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
@@ -86,24 +96,25 @@ template <real T>
     return detail::pick(is_nan(receiver), T(0), detail::pick(a < b, a, b));
 }
 
-/// Set-up of exponential variance shadow maps.
+/// Settings of exponential variance shadow maps.
 struct evsm_settings {
-    float exponent = 40.0f;        ///< of 2, at the far plane: of the growing power
-    float falling = 8.0f;          ///< of 2, at the near plane: of the falling power
-    float least_deviation = 0.0f;  ///< of depth, what counts as a surface's own; 0: 1e-4, in 16 bits 1e-2
+    float exponent = 40.0f;        ///< binary exponent of the growing power, at the far plane
+    float falling = 8.0f;          ///< binary exponent of the falling power, at the near plane
+    float least_deviation = 0.0f;  ///< minimum deviation of depth within a surface; 0: 1e-4, in 16 bits 1e-2
     float_store store = float_store::single;
 };
 
-/// What shaders and functions are called with.
+/// Parameters for shaders and functions, from make_evsm.
 struct evsm_parameters {
-    glm::vec2 exponents{};   ///< of the growing and of the falling power; of two components only the first counts
-    glm::vec2 deviations{};  ///< least deviations, as parts of the receiver's powers
+    glm::vec2 exponents{};   ///< of the growing and the falling power; with two components only the first counts
+    glm::vec2 deviations{};  ///< minimum deviations, relative to the receiver's powers
 };
 
-/// @throws std::invalid_argument   an exponent not above 0, or beyond what keeps powers and squares finite and normal,
-///                                 55 in 32 bits, 7.99 in 16; a least deviation below 0, or one beside whose least
-///                                 variance squares of distances count that are no normal numbers, which hardware
-///                                 takes for 0: the usual one is large enough up to a falling exponent of 43
+/// Parameters from settings.
+/// @throws std::invalid_argument   an exponent not above 0, or above 55 in 32 bits, 7.99 in 16: powers and squares must
+///                                 be finite normal numbers. A minimum deviation below 0, or so small that squared
+///                                 distances of its size are not normal numbers, which hardware flushes to 0. The
+///                                 default is large enough up to a falling exponent of 43
 /// @formula   deviations = 2 ln(2) exponents least_deviation, the derivative of the power over the power
 [[nodiscard]] inline evsm_parameters make_evsm(const evsm_settings& settings) {
     const bool single = settings.store == float_store::single;
@@ -117,7 +128,7 @@ struct evsm_parameters {
                         single ? "above 0 and at most 55" : "above 0 and at most 7.99 in 16 bits", exponent);
         const float part = exponent * (1.38629436f * least);
         const float least_power = falls ? exp2_polynomial(-exponent) : 1.0f;
-        // squares that count beside its square may be below 2^-126
+        // squared distances of that size may be below 2^-126
         detail::require(part * least_power >= 0x1p-51f, function, "least_deviation", "larger for this exponent", least);
         return part;
     };
@@ -129,12 +140,12 @@ namespace glsl {
 
 inline constexpr snippet encode_evsm2{
     .name = "encode_evsm2",
-    .summary = "depth to a texel of two components",
+    .summary = "EVSM: depth to a texel of two components",
     .exactness = tier::b,
     .operations = 73,
     .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
-// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+// umbrage_encode_evsm2: texel of two components, a power of depth and its square. NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
     UMBRAGE_HIGHP float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return vec2(w, w * w);
@@ -144,12 +155,13 @@ UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP
 
 inline constexpr snippet encode_evsm4{
     .name = "encode_evsm4",
-    .summary = "depth to a texel of four components",
+    .summary = "EVSM: depth to a texel of four components",
     .exactness = tier::b,
     .operations = 73,
     .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
     .source = R"GLSL(
-// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+// umbrage_encode_evsm4: texel of four components, a growing power, its square, a negative falling power, its square
+// NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec2 exponents) {
     UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);
@@ -161,14 +173,16 @@ UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP
 
 inline constexpr snippet decode_evsm2{
     .name = "decode_evsm2",
-    .summary = "mean of texels of two components to visibility",
+    .summary = "EVSM: mean of texels of two components to visibility",
     .exactness = tier::c,
     .operations = 229,
     .needs = list<&chebyshev, &to_forward_depth, &saturate, &exponential_warp>,
     .source = R"GLSL(
-// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
-//   deviation  least standard deviation, as a part of the receiver's power
+// umbrage_decode_evsm2: visibility of a receiver from a mean of texels, at least its lit fraction. 1.0 = lit
+//   m           mean of texels
+//   receiver    receiver depth in [0, 1], bias applied
+//   exponent    same as for the texels
+//   deviation   minimum standard deviation, relative to the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
     UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
@@ -183,14 +197,16 @@ UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP flo
 
 inline constexpr snippet decode_evsm4{
     .name = "decode_evsm4",
-    .summary = "mean of texels of four components to visibility",
+    .summary = "EVSM: mean of texels of four components to visibility",
     .exactness = tier::c,
     .operations = 229,
     .needs = list<&chebyshev, &to_forward_depth, &saturate, &exponential_warp>,
     .source = R"GLSL(
-// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
-//   deviations  least standard deviations, as parts of the receiver's powers
+// umbrage_decode_evsm4: visibility of a receiver from a mean of texels, at least its lit fraction. 1.0 = lit
+//   m            mean of texels
+//   receiver     receiver depth in [0, 1], bias applied
+//   exponents    same as for the texels
+//   deviations   minimum standard deviations, relative to the receiver's powers
 UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
     UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// 2^y alike everywhere, which no language promises of its own exp2: what exponential shadow maps warp depth with.
+// Powers of two with the same bits on every machine, with which exponential shadow maps warp depth. No language
+// guarantees that for its built-in exp2.
 //
 //     float warped = umbrage::exp2_polynomial(40.0f * depth);  // as fine as the float
 //     float coarse = umbrage::exp2_steps(40.0f * depth);       // 12 bits, the same bits on every implementation
 //
-// Neither falls where y grows; both give powers of two at whole numbers. The square of a coarse one is exact, from
-// 2^-63 on.
+// Both are monotonic, and return exact powers of two at integers. The square of a coarse power is exact, from 2^-63 on.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,8 @@
 
 namespace umbrage {
 
-/// @param n       whole number, -64 to 63
+/// Power of two with an integer exponent.
+/// @param n       integer, -64 to 63
 /// @return        2^n
 /// @exactness     A
 template <real T>
@@ -31,7 +32,7 @@ template <real T>
 
 namespace detail {
 
-/// c ? a : b on the bits, which compilers vectorise where they do not vectorise that.
+/// c ? a : b on the bits. Compilers vectorize it where they do not vectorize the conditional.
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T pick(bool c, T a, T b) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
@@ -39,14 +40,14 @@ template <real T>
     return detail::bit_cast<T>((detail::bit_cast<bits>(a) & mask) | (detail::bit_cast<bits>(b) & ~mask));
 }
 
-/// What the powers are taken of: NaN counts as -64.
+/// Exponent clamped to [-64, 63]. NaN counts as -64.
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T clamp_exponent(T y) {
     const T below = pick(y < T(63), y, T(63));
     return pick(bool(int(below > T(-64)) & int(!is_nan(y))), below, T(-64));
 }
 
-/// floor of |v| < 2^31.
+/// floor(v), for |v| < 2^31.
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T floor_small(T v) {
     const auto toward_zero = static_cast<std::int32_t>(v);
@@ -55,9 +56,10 @@ template <real T>
 
 }  // namespace detail
 
-/// @param y       outside of -64 to 63 the nearer end counts, of NaN -64
-/// @return        2^y: never falls where y grows; 2^y itself of whole numbers
-/// @formula       2^n (1 + c1 f + c2 f^2 + .. + c5 f^5) by Horner's scheme, n = floor(y), f = y - n; the polynomial is
+/// Power of two, as fine as the float.
+/// @param y       exponent; clamped to [-64, 63], NaN is -64
+/// @return        2^y: monotonic, exact at integers
+/// @formula       2^n (1 + c1 f + c2 f^2 + .. + c5 f^5) by Horner's scheme, n = floor(y), f = y - n. The polynomial is
 ///                2 at f = 1
 /// @exactness     B, n = 16, S = 2^n (1 + c1 g + .. + c5 g^5), g = |y| + |n|;  off by at most 1.8e-7 of the power, over
 ///                all f = k / 2^24
@@ -72,18 +74,18 @@ template <real T>
     return p * power_of_two(n);
 }
 
-/// @param y       outside of -64 to 63 the nearer end counts, of NaN -64
-/// @return        2^y in steps: never falls where y grows; 2^y itself of whole numbers; a whole number below 2^12
-///                times a power of two
+/// Power of two in steps of 12 bits.
+/// @param y       exponent; clamped to [-64, 63], NaN is -64
+/// @return        2^y in steps: an integer below 2^12 times a power of two. Monotonic, exact at integers
 /// @formula       m 2^(n - 11), x = floor(2048 y), n = floor(x / 2048), f = x - 2048 n, g = floor(f (2048 - f) / 256),
 ///                r = 1251 + floor(314 f / 2048), m = 2048 + f - floor((g r + 2^14) / 2^15)
-/// @exactness     A;  off by at most 3.1e-4 of the power at the steps, over all of them; between two it stays with the
-///                lower one
+/// @exactness     A;  off by at most 3.1e-4 of the power at the steps, over all of them. Between two steps it keeps the
+///                lower value
 template <real T>
 [[nodiscard]] T exp2_steps(T y) {
     const T x = std::floor(detail::clamp_exponent(y) * T(2048));
     const T n = std::floor(x * T(0x1p-11)),
-            f = detail::greater(x - n * T(2048), T(0));  // no sum is regrouped across it
+            f = detail::greater(x - n * T(2048), T(0));  // no sum is regrouped across the maximum
     const T g = std::floor(f * (T(2048) - f) * T(0x1p-8)), r = T(1251) + std::floor(f * T(314) * T(0x1p-11));
     const T m = T(2048) + f - std::floor((g * r + T(16384)) * T(0x1p-15));
     return m * T(0x1p-11) * power_of_two(n);
@@ -93,10 +95,10 @@ namespace glsl {
 
 inline constexpr snippet power_of_two{
     .name = "power_of_two",
-    .summary = "2^n of whole numbers -64 to 63",
+    .summary = "2^n of integers n from -64 to 63",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 #if __VERSION__ >= 300
     UMBRAGE_HIGHP uint exponent = uint(n + 127.0);
@@ -123,13 +125,13 @@ UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 
 inline constexpr snippet exp2_polynomial{
     .name = "exp2_polynomial",
-    .summary = "2^y to 1.8e-7 of it",
+    .summary = "2^y, off by at most 1.8e-7 of itself",
     .exactness = tier::b,
     .operations = 16,
     .needs = list<&power_of_two>,
     .source = R"GLSL(
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
     UMBRAGE_HIGHP float n = floor(x);
@@ -150,8 +152,8 @@ inline constexpr snippet exp2_steps{
     .exactness = tier::a,
     .needs = list<&power_of_two>,
     .source = R"GLSL(
-// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_steps: 2^y, an integer below 2^12 times a power of two. y is rounded down to 1/2048
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));

@@ -1,38 +1,41 @@
 // SPDX-License-Identifier: MIT
 //
-// Four moments of depths that are known to lie in [-1, 1]: what decode_msm takes for outside of it goes to its end, and
-// less light bleeds through. For floats of 32 bits.
+// Hausdorff moment problem for moment shadow maps (MSM): depths are known to lie in [-1, 1], so less light bleeds than
+// with decode_msm. It needs 32-bit floats.
 //
 //     float visibility = umbrage::decode_msm_hausdorff(blurred, receiver, umbrage::msm_bias_32);
 //
-// A floor that falls away from the light darkens a little where it ends before cleared texels: the blur holds its
-// nearer side alone there, depths before the receiver. decode_msm misses them, as it takes the cleared ones for spread
-// about a mean. A bias for the blur's radius takes that away.
+// A floor that falls away from the light darkens a little where it ends before cleared texels. The blur there holds
+// only the floor's nearer side: depths nearer to the light than the receiver. decode_msm misses them, since it takes
+// the cleared texels for spread about a mean. A bias for the blur's radius removes the darkening.
 #pragma once
 
 #include <umbrage/filter/prefiltered/msm.hpp>
 
 namespace umbrage {
 
-/// Share of depths before the receiver's, where four make the distribution that shadows it least: the near end, the far
-/// end, the receiver's depth z and one more, f. So it is where one of moment_atoms lies outside [-1, 1].
+/// Smallest fraction of depths nearer to the light than the receiver, over distributions of depths in [-1, 1].
 ///
+/// That distribution has four depths: both ends, the receiver's depth z and one more, f.
+/// This holds where one of moment_atoms lies outside [-1, 1].
 /// @param b         moments, biased
 /// @param z         the receiver's depth on [-1, 1]
-/// @return          the share, 0 to 1; 0 at the near end; negative where no four such depths have these moments
+/// @return          the fraction, 0 to 1; 0 at the near end
+/// @edge            no four such depths have these moments: negative
 /// @formula         D = b2 - b1^2, L = b3 - b1 b2, F = b4 - b2^2, w = 1 - b2, x = z - b1, d = L + w x,
-///                  g = F - D w - (z + b1) L, f = b1 + g / d, p = d (1 + f), q = d (1 - f), k = w g + L d; the share at
-///                  -1 is ((1 + z) (d D + g (1 - b1)) - k) / (2 (1 + z) p), that at 1 has the sign of
-///                  ((1 - z) (d D - g (1 + b1)) + k) q, that at f, which lies before the receiver where d > 0, is
-///                  d^4 / (p q (x d - g)): interpolation's weights, of central moments, where few digits cancel
-/// @exactness       C, within 1/1048576 as written: two divisions; which depths there are is decided without one. In
+///                  g = F - D w - (z + b1) L, f = b1 + g / d, p = d (1 + f), q = d (1 - f), k = w g + L d. The share at
+///                  -1 is ((1 + z) (d D + g (1 - b1)) - k) / (2 (1 + z) p). That at 1 has the sign of
+///                  ((1 - z) (d D - g (1 + b1)) + k) q. That at f is d^4 / (p q (x d - g)); f is nearer to the light
+///                  than the receiver where d > 0. These are weights of interpolation in central moments, where few
+///                  digits cancel
+/// @exactness       C, within 1/1048576 as written: two divisions. No division decides which depths there are. In
 ///                  binary32 off, to first order, by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s
 ///                  the sum of the absolute coefficients of the polynomial of degree 4 whose mean is the share: 1 at
-///                  -1, twice 0 at f, 0 at z and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1.
-///                  Rounding up to d and g does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the
-///                  share does not change with f to first order; what follows is off by 8 2^-24 of 1 / (1 + f), 1 / (1
-///                  - f), 1 / |z - f| or of 1 / ((1 + z) (1 + f)) at a step. Nothing holds s down for all moments: a
-///                  bias of (0, y, 0, y) is one of depths -1, 0 and 1, no help where f is 0
+///                  -1, twice 0 at f, 0 at z and 1. Where f < z it is: twice 0 at f, 0 at -1, 1 at z and 1.
+///                  Rounding up to d and g has the effect of moments that are off by (1, 1, 8, 23) 2^-24. The share
+///                  does not change with f to first order. The steps that follow are off by 8 2^-24 of 1 / (1 + f),
+///                  1 / (1 - f), 1 / |z - f| or 1 / ((1 + z) (1 + f)). No bound on s holds for all moments: a bias of
+///                  (0, y, 0, y) is one of depths -1, 0 and 1, no help where f is 0
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE inline T hausdorff_share(glm::vec<4, T> b, T z) {
     const T variance = b.y - b.x * b.x, third = b.z - b.x * b.y, fourth = b.w - b.y * b.y, rest = T(1) - b.y;
@@ -49,7 +52,7 @@ template <real T>
 
 namespace detail {
 
-/// decode_msm_hausdorff from what decode_msm gives, of biased moments and a depth that grows with distance.
+/// decode_msm_hausdorff from decode_msm's result, from biased moments and a depth that grows with distance.
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE inline T lit_within(T plain, glm::vec<4, T> b, T d) {
     const T share = hausdorff_share(b, moment_depth(d));
@@ -58,11 +61,14 @@ template <real T>
 
 }  // namespace detail
 
+/// Visibility from a mean of four moments of depths in [-1, 1].
 /// @param b         mean of texels
-/// @param receiver  depth, biased; outside [0, 1] the nearer end counts, the near end is lit; NaN is in shadow
+/// @param receiver  receiver depth in [0, 1], with the bias already applied; clamped
 /// @param bias      msm_bias_32
-/// @return          visibility, 0 to 1, no more than decode_msm's but for rounding: at least the lit share, less bias.x
-///                  and rounding. Where moments are those of fewer than three depths, and of NaN: as decode_msm
+/// @return          visibility in [0, 1]: at least the lit fraction, minus bias.x and rounding. At most decode_msm's
+///                  result, except for rounding
+/// @edge            receiver at the near end: 1. NaN receiver: 0. Moments of fewer than three depths, or NaN: as
+///                  decode_msm
 /// @formula         1 - hausdorff_share where that is not negative, else decode_msm
 /// @exactness       C, within 1/64 as written
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
@@ -76,14 +82,15 @@ namespace glsl {
 
 inline constexpr snippet hausdorff_share{
     .name = "hausdorff_share",
-    .summary = "least share of depths before a receiver, of depths on [-1, 1]",
+    .summary = "smallest fraction of nearer depths, for depths on [-1, 1]",
     .exactness = tier::c,
     .within = 1.0f / 1048576.0f,
     .as_written = true,
     .source = R"GLSL(
-// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
-//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
-//   negative where the share is that of umbrage_moment_atoms
+// umbrage_hausdorff_share: smallest fraction of depths nearer than the receiver, from four moments of depths on [-1, 1]
+// Returns a negative number where umbrage_moment_atoms gives the fraction
+//   b   moments, biased
+//   z   the receiver's depth on -1.0 to 1.0
 UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float z) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = b.y - b.x * b.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
@@ -110,14 +117,16 @@ UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP 
 
 inline constexpr snippet decode_msm_hausdorff{
     .name = "decode_msm_hausdorff",
-    .summary = "mean of four moments of depths on [-1, 1] to visibility",
+    .summary = "MSM: four moments to visibility, for depths on [-1, 1]",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
     .needs = list<&bias_moments, &decode_msm, &to_forward_depth, &hausdorff_share>,
     .source = R"GLSL(
-// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b          mean of texels
+//   receiver   receiver depth in [0, 1], bias applied
+//   bias       (3e-6, 0.375)
 UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver,
                                                  UMBRAGE_HIGHP vec2 bias) {
     UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Prefiltered maps from a shader or for one receiver: four texels, weighed, and what they say of visibility.
+// Lookups in prefiltered shadow maps (VSM, ESM, EVSM, MSM) for shaders and single receivers: four texels, weighted.
 //
 //     float visibility = umbrage::vsm(umbrage::bordered(moments), coord, depth - bias, 1e-6f);
 //
-// In a shader bind the snippet to the map of moments; texels are read one by one and weighed in steps of 1/256, so that
-// any texture of floats will do. Where the sampler filters such a texture, or takes a level of its mip chain, ask it
-// and call the decoder: umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6); its weights are the hardware's.
+// In a shader, bind the snippet to the map of moments. It reads texels one by one and weights them in steps of 1/256,
+// so any float texture will do. Where the sampler can filter the texture, or reads from its mip chain, call the decoder
+// instead: umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6). The weights are then the hardware's.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -20,14 +20,14 @@
 
 namespace umbrage {
 
-/// Mean of the four texels around a point.
-/// @param fetch     ivec2 texel -> float or vector; called four times, texels may lie one outside the map
-/// @param coord     in texels, the first texel's center is (0.5, 0.5); inside texel space
-/// @return          as fetch
-/// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
-///                  of texels below 2^111
-/// @exactness       B, n = 19, S at most 9 times the greatest texel's magnitude;  A where texels are multiples of 2^-8
-///                  below 1
+/// Bilinear mean of the four texels around a point.
+/// @param fetch     returns a texel, float or vector, from glm::ivec2. Called 4 times, up to one texel outside the map
+/// @param coord     in texels, inside texel space: (0.5, 0.5) is the center of the first texel
+/// @return          same type as fetch
+/// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t integers below 256;
+///                  for texels below 2^111
+/// @exactness       B, n = 19, S at most 9 times the largest magnitude of a texel;  A where texels are multiples of
+///                  2^-8 below 1
 template <real T, class Fetch>
 [[nodiscard]] auto fetch_bilinear(Fetch&& fetch, glm::vec<2, T> coord) {
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);
@@ -42,8 +42,8 @@ template <real T, class Fetch>
 
 namespace detail {
 
-/// What look-ups share: who is not compared is lit, and with bordered(map) who is outside the map. Texels beside its
-/// edge are the nearest ones inside, as they were for the blur.
+/// Lookup that all prefiltered maps share. Receivers outside the filter domain are lit, with bordered(map)
+/// also those outside the map. Texels outside the map are the nearest ones inside, as for the blur.
 template <real T, class Fetch, class Decode>
 [[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T cleared, const Decode& decode) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
@@ -56,9 +56,10 @@ template <real T, class Fetch, class Decode>
 
 }  // namespace detail
 
-/// @param fetch      texels of encode_vsm, blurred: bordered(map), outside of which all is lit, or ivec2 -> texel
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// Visibility from a blurred map of encode_vsm's texels.
+/// @param fetch      returns a texel, from glm::ivec2: bordered(map), which is lit outside, clamped(map) or your own
+/// @param coord      receiver position, in texels: (0.5, 0.5) is the first center. Outside texel space or NaN: lit
+/// @param receiver   receiver depth, with the bias already applied. Beyond the far plane: lit. NaN: in shadow
 /// @formula          decode_vsm of fetch_bilinear
 /// @exactness        C, n = 165: a division. S is decode_vsm's with S of fetch_bilinear for the texels
 template <real T, class Fetch>
@@ -67,7 +68,7 @@ template <real T, class Fetch>
                            [&](glm::vec<2, T> m) { return decode_vsm(m, receiver, min_variance, cleared); });
 }
 
-/// As vsm, of texels of encode_esm.
+/// Visibility as for vsm, from texels of encode_esm.
 /// @exactness        B, n = 56, S likewise
 template <real T, class Fetch>
 [[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T cleared = T(1)) {
@@ -75,7 +76,7 @@ template <real T, class Fetch>
                            [&](T m) { return decode_esm(m, receiver, exponent, cleared); });
 }
 
-/// As vsm, of texels of encode_evsm2.
+/// Visibility as for vsm, from texels of encode_evsm2.
 /// @exactness        C, n = 267: a division. S likewise
 template <real T, class Fetch>
 [[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T cleared = T(1)) {
@@ -83,7 +84,7 @@ template <real T, class Fetch>
                            [&](glm::vec<2, T> m) { return decode_evsm2(m, receiver, exponent, deviation, cleared); });
 }
 
-/// As vsm, of texels of encode_evsm4.
+/// Visibility as for vsm, from texels of encode_evsm4.
 /// @exactness        C, n = 267: a division. S likewise
 template <real T, class Fetch>
 [[nodiscard]] T evsm4(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> exponents,
@@ -92,7 +93,7 @@ template <real T, class Fetch>
                            [&](glm::vec<4, T> m) { return decode_evsm4(m, receiver, exponents, deviations, cleared); });
 }
 
-/// As vsm, of texels of encode_msm.
+/// Visibility as for vsm, from texels of encode_msm.
 /// @exactness        C, within 1/64 as written
 template <real T, class Fetch>
 [[nodiscard]] T msm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
@@ -100,7 +101,7 @@ template <real T, class Fetch>
                            [&](glm::vec<4, T> b) { return decode_msm(b, receiver, bias, cleared); });
 }
 
-/// As vsm, of texels of to_optimized_moments(encode_msm).
+/// Visibility as for vsm, from texels of to_optimized_moments(encode_msm).
 /// @exactness        C, within 1/64 as written
 template <real T, class Fetch>
 [[nodiscard]] T msm_unorm16(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
@@ -109,7 +110,7 @@ template <real T, class Fetch>
     });
 }
 
-/// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
+/// Visibility as for vsm, from texels of encode_msm and by decode_msm_hausdorff.
 /// @exactness        C, within 1/64 as written, as decode_msm_hausdorff
 template <real T, class Fetch>
 [[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
@@ -121,19 +122,19 @@ namespace glsl {
 
 inline constexpr snippet fetch_bilinear{
     .name = "fetch_bilinear",
-    .summary = "mean of the four texels around a point",
+    .summary = "bilinear mean of the four texels around a point",
     .exactness = tier::b,
     .operations = 19,
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
-// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first center at (0.5, 0.5)
+// umbrage_fetch_bilinear: bilinear mean of the four texels around a point, weights in steps of 1/256
+//   coord   in texels. (0.5, 0.5) is the center of the first texel
 UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 256) already. The clamp keeps compilers from regrouping sums across it
     UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;  // 1.0 - hi would become an interpolation, which rounds differently
     UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
     UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
     UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
@@ -148,14 +149,14 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 
 inline constexpr snippet vsm{
     .name = "vsm",
-    .summary = "visibility from a map of encode_vsm's texels",
+    .summary = "VSM: visibility from a prefiltered map",
     .exactness = tier::c,
     .operations = 165,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_vsm>,
     .source = R"GLSL(
-// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   min_variance  0.0 or more
+// umbrage_vsm: visibility from a blurred map of encode_vsm's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. min_variance: 0.0 or more
 UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
@@ -168,14 +169,14 @@ UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet esm{
     .name = "esm",
-    .summary = "visibility from a map of encode_esm's texels",
+    .summary = "ESM: visibility from a prefiltered map",
     .exactness = tier::b,
     .operations = 56,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_esm>,
     .source = R"GLSL(
-// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   exponent  as of the texels
+// umbrage_esm: visibility from a blurred map of encode_esm's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. exponent: same as for the texels
 UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
@@ -188,14 +189,14 @@ UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet evsm2{
     .name = "evsm2",
-    .summary = "visibility from a map of encode_evsm2's texels",
+    .summary = "EVSM: visibility from a prefiltered map, two components",
     .exactness = tier::c,
     .operations = 267,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_evsm2>,
     .source = R"GLSL(
-// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+// umbrage_evsm2: visibility from a blurred map of encode_evsm2's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. exponent, deviation: as for decode_evsm2
 UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
                                   UMBRAGE_HIGHP float deviation) {
@@ -209,14 +210,14 @@ UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 
 inline constexpr snippet evsm4{
     .name = "evsm4",
-    .summary = "visibility from a map of encode_evsm4's texels",
+    .summary = "EVSM: visibility from a prefiltered map, four components",
     .exactness = tier::c,
     .operations = 267,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_evsm4>,
     .source = R"GLSL(
-// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+// umbrage_evsm4: visibility from a blurred map of encode_evsm4's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. exponents, deviations: as for decode_evsm4
 UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
                                   UMBRAGE_HIGHP vec2 deviations) {
@@ -230,15 +231,15 @@ UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 
 inline constexpr snippet msm{
     .name = "msm",
-    .summary = "visibility from a map of encode_msm's texels",
+    .summary = "MSM: visibility from a prefiltered map",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_msm>,
     .source = R"GLSL(
-// umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   bias  as of decode_msm
+// umbrage_msm: visibility from a blurred map of encode_msm's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
 UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
@@ -251,15 +252,15 @@ UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet msm_unorm16{
     .name = "msm_unorm16",
-    .summary = "visibility from a map of turned moments",
+    .summary = "MSM: visibility from a prefiltered map, optimized moments",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_msm, &from_optimized_moments>,
     .source = R"GLSL(
-// umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   bias  as of decode_msm
+// umbrage_msm_unorm16: visibility from a blurred map of optimized moments, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
 UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
@@ -272,15 +273,15 @@ UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 
 inline constexpr snippet msm_hausdorff{
     .name = "msm_hausdorff",
-    .summary = "visibility from a map of encode_msm's texels",
+    .summary = "MSM: visibility from a prefiltered map, depths on [-1, 1]",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_msm_hausdorff>,
     .source = R"GLSL(
-// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   bias  as of decode_msm
+// umbrage_msm_hausdorff: visibility from a blurred map of encode_msm's texels, for depths on [-1, 1]. 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
 UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Moment shadow maps: a texel holds the first four powers of depth on [-1, 1], of which means may be taken.
+// Moment shadow maps (MSM): each texel stores the first four powers of depth on [-1, 1]. Texels can be averaged.
 //
 //     glm::vec4 texel = umbrage::encode_msm(depth);
 //     float visibility = umbrage::decode_msm(blurred, receiver, umbrage::msm_bias_32);
 //
-// Four channels of 16 bits hold them turned, so that each has its whole range:
+// Four 16-bit channels store optimized moments (Peters and Klein's 16-bit transform), which use each channel's full
+// range:
 //
 //     glm::vec4 held = umbrage::to_optimized_moments(texel);
 //     float visibility = umbrage::decode_msm(umbrage::from_optimized_moments(held), receiver, umbrage::msm_bias_16);
 //
-// Of all distributions with the same moments the one that shadows the receiver least has three depths, one of which is
-// the receiver's: what of the other two lies before it is shadow.
+// Visibility is an upper bound, from the distribution with these moments that shadows the receiver the least. That one
+// has three depths: the receiver's and two others. The shadow is the share of the others that is nearer to the light.
 #pragma once
 
 #include <cmath>
@@ -23,13 +24,15 @@
 
 namespace umbrage {
 
-/// How far moments are moved, and towards which: (0, y, 0, y), so that rounding does not take them out of what any
-/// depths have. x is the share; shadows get lighter by up to it, and by the square root of it near their casters.
-inline const glm::vec2 msm_bias_32{3e-6f, 0.375f};  ///< of floats of 32 bits
-inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< of four channels of 16 bits, turned
+/// Biases of moments: (share x, target y) moves moments by a share x towards (0, y, 0, y). After rounding, the moments
+/// are then still those of some depths. Shadows get lighter by up to x, and near their casters by up to its square
+/// root.
+inline const glm::vec2 msm_bias_32{3e-6f, 0.375f};  ///< for 32-bit floats
+inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< for optimized moments in four 16-bit channels
 
-/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1, 1, 1)
-/// @param cleared   1, or 0 where depth is reversed
+/// Texel of a moment shadow map: the first four powers of depth on [-1, 1].
+/// @param depth     in [0, 1]; clamped. NaN: (1, 1, 1, 1), as the far plane and a cleared texel
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
 /// @formula         (z, z^2, z^3, z^4), z = 2 to_forward_depth - 1
 /// @exactness       B, n = 15
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015; on [-1, 1]: Peters et al.: Improved moment shadow
@@ -41,7 +44,7 @@ template <real T>
     return {z, square, square * z, square * square};
 }
 
-/// Moments for four channels of 16 bits: each takes [0, 1] wholly. A mean of turned moments is the mean, turned.
+/// Moments for four 16-bit channels: each uses all of [0, 1]. The mean of transformed moments is the transformed mean.
 /// @formula         (1.5 b1 - 2 b3 + 1/2, 4 b2 - 4 b4, sqrt(3)/2 b1 - 2 sqrt(3)/9 b3 + 1/2, (b2 + b4) / 2)
 /// @exactness       B, n = 4
 /// @cite            Peters et al., JCGT 2017
@@ -51,9 +54,10 @@ template <real T>
             (b.y + b.w) * T(0.5)};
 }
 
-/// @formula         the inverse of to_optimized_moments: x = o.x - 1/2, z = o.z - 1/2,
+/// Moments from four 16-bit channels: the inverse of to_optimized_moments.
+/// @formula         x = o.x - 1/2, z = o.z - 1/2:
 ///                  (sqrt(3) z - x / 3, o.w + o.y / 8, 3/4 sqrt(3) z - 3/4 x, o.w - o.y / 8)
-/// @exactness       B, n = 5;  off by at most 2^-22 of what was turned, of rounding on both ways
+/// @exactness       B, n = 5;  off by at most 2^-22 of the original moments, from rounding in both directions
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> from_optimized_moments(glm::vec<4, T> o) {
     const T x = o.x - T(0.5), z = o.z - T(0.5), eighth = o.y * T(0.125);
@@ -62,7 +66,7 @@ template <real T>
 
 namespace detail {
 
-/// moment_atoms up to the root of `square`, and from there on.
+/// First half of moment_atoms, up to the root of `square`, and second half from there on.
 template <real T>
 struct atom_equation {
     T D, E, h, a, B, c, square;
@@ -87,14 +91,14 @@ struct atom_equation {
     }
 };
 
-/// Whether moment_atoms found any.
+/// True when moment_atoms found depths.
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE inline bool are_shares(const glm::vec<4, T>& atoms) {
     const T sum = atoms.z + atoms.w;
     return bool(int(!is_nan(sum)) & int(std::abs(sum) <= T(4294967296)));
 }
 
-/// decode_msm of moment_atoms.
+/// Visibility from moment_atoms, as decode_msm returns it.
 /// @param d   the receiver's depth, growing with distance
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE inline T lit_by_atoms(const glm::vec<4, T>& atoms, T x, T d) {
@@ -104,7 +108,7 @@ template <real T>
     return pick(bool(int(is_nan(d)) | int(is_nan(x))), T(0), known);
 }
 
-/// Depth on [-1, 1]; NaN is near.
+/// Depth on [-1, 1]. NaN counts as near.
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE inline T moment_depth(T d) {
     return pick(d > T(0), pick(d < T(1), d, T(1)), T(0)) * T(2) - T(1);
@@ -112,11 +116,11 @@ template <real T>
 
 }  // namespace detail
 
-/// The two depths that, beside the receiver's, make the distribution with the same moments.
+/// The two depths that form the distribution with the given moments, together with the receiver's depth.
 ///
 /// @param b         moments, biased
-/// @param x         the receiver's depth on [-1, 1] less b.x
-/// @return          the depths less b.x, their shares; NaN where moments are those of fewer than three depths
+/// @param x         the receiver's depth on [-1, 1] minus b.x
+/// @return          (depth, depth, share, share); depths are minus b.x. NaN for moments of fewer than three depths
 /// @formula         D = b2 - b1^2, L = b3 - b1 b2, E = b4 - b2^2 - L l, l = L / D, h = 2 b1 - l, q(t) = (t + h) t - D;
 ///                  t the roots of a t^2 + B t + c, a = D q(x), B = x E + h a, c = D (E - a); the share at t is
 ///                  D E / (D E + t^2 E + q(t)^2 D)
@@ -127,7 +131,7 @@ template <real T>
     return equation.atoms(std::sqrt(equation.square));
 }
 
-/// Moments as moment_atoms takes them.
+/// Moments with the bias applied, as moment_atoms takes them.
 /// @param bias      msm_bias_32, msm_bias_16
 /// @formula         b + ((0, bias.y, 0, bias.y) - b) bias.x
 /// @exactness       B, n = 3
@@ -136,17 +140,18 @@ template <real T>
     return {b.x - b.x * bias.x, b.y + (bias.y - b.y) * bias.x, b.z - b.z * bias.x, b.w + (bias.y - b.w) * bias.x};
 }
 
+/// Visibility from a mean of four moments.
 /// @param b         mean of texels
-/// @param receiver  depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
+/// @param receiver  receiver depth in [0, 1], with the bias already applied; clamped
 /// @param bias      msm_bias_32, msm_bias_16
-/// @return          visibility, 0 to 1: at least the lit share, less bias.x and the error below. Where moments are
-///                  those of fewer than three depths, and of NaN: 1 where the receiver is no farther than their mean,
-///                  else 0. Of numbers that are no depths' moments: 0 to 1, and beside poles rounding decides which
+/// @return          visibility in [0, 1]: at least the lit fraction, minus bias.x and the error below
+/// @edge            NaN receiver: 0. Moments of fewer than three depths, or NaN: 1 where the receiver is no farther
+///                  than their mean, else 0. Numbers that are not moments: 0 to 1, decided by rounding near poles
 /// @formula         1 - sum of the shares of moment_atoms before the receiver
-/// @exactness       C, within 1/64 as written. Rounding in binary32 does to first order as much as moments do that are
-///                  off by (0, 1, 3, 7) 2^-24, which is at most 9 2^-24 / (bias.x e), e the least eigenvalue of the
-///                  matrix of (0, y, 0, y), 0.199 of 0.375 and 0.159 of 0.628: 0.057 with msm_bias_16, 0.027 with a
-///                  share of 1e-4 towards 0.375, 0.9 with msm_bias_32, of which it says little
+/// @exactness       C, within 1/64 as written. Rounding in binary32 has, to first order, the effect of moments that are
+///                  off by (0, 1, 3, 7) 2^-24. That is at most 9 2^-24 / (bias.x e), e the smallest eigenvalue of the
+///                  matrix of (0, y, 0, y): 0.199 for 0.375 and 0.159 for 0.628. So 0.057 with msm_bias_16, 0.027 with
+///                  a share of 1e-4 towards 0.375. With msm_bias_32 it is 0.9, which says little
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
 [[nodiscard]] T decode_msm(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T cleared = T(1)) {
@@ -160,12 +165,12 @@ namespace glsl {
 
 inline constexpr snippet encode_msm{
     .name = "encode_msm",
-    .summary = "depth to its first four powers on [-1, 1]",
+    .summary = "MSM: depth to its first four powers on [-1, 1]",
     .exactness = tier::b,
     .operations = 15,
     .needs = list<&saturate, &to_forward_depth>,
     .source = R"GLSL(
-// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, the texel of a moment shadow map. NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     UMBRAGE_HIGHP float square = z * z;
@@ -176,11 +181,11 @@ UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet to_optimized_moments{
     .name = "to_optimized_moments",
-    .summary = "four moments to four channels of 16 bits",
+    .summary = "MSM: four moments to four 16-bit channels",
     .exactness = tier::b,
     .operations = 4,
     .source = R"GLSL(
-// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+// umbrage_to_optimized_moments: four moments for four 16-bit channels, each over all of 0.0 to 1.0
 UMBRAGE_HIGHP vec4 umbrage_to_optimized_moments(UMBRAGE_HIGHP vec4 b) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (b.y - b.w) * 4.0;
@@ -193,11 +198,11 @@ UMBRAGE_HIGHP vec4 umbrage_to_optimized_moments(UMBRAGE_HIGHP vec4 b) {
 
 inline constexpr snippet from_optimized_moments{
     .name = "from_optimized_moments",
-    .summary = "four channels of 16 bits to four moments",
+    .summary = "MSM: four 16-bit channels to four moments",
     .exactness = tier::b,
     .operations = 5,
     .source = R"GLSL(
-// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+// umbrage_from_optimized_moments: four moments from the result of umbrage_to_optimized_moments
 UMBRAGE_HIGHP vec4 umbrage_from_optimized_moments(UMBRAGE_HIGHP vec4 o) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
@@ -213,13 +218,14 @@ UMBRAGE_HIGHP vec4 umbrage_from_optimized_moments(UMBRAGE_HIGHP vec4 o) {
 
 inline constexpr snippet moment_atoms{
     .name = "moment_atoms",
-    .summary = "the two depths that make four moments beside a receiver's",
+    .summary = "MSM: the two depths besides the receiver's",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
     .source = R"GLSL(
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
 UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float x) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float d = b.y - b.x * b.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
@@ -243,7 +249,7 @@ UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP floa
 
 inline constexpr snippet bias_moments{
     .name = "bias_moments",
-    .summary = "four moments, moved a little towards those of spread depths",
+    .summary = "MSM: four moments with a bias against rounding",
     .exactness = tier::b,
     .operations = 3,
     .source = R"GLSL(
@@ -260,15 +266,15 @@ UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2
 
 inline constexpr snippet decode_msm{
     .name = "decode_msm",
-    .summary = "mean of four moments to visibility",
+    .summary = "MSM: mean of four moments to visibility",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
     .needs = list<&bias_moments, &to_forward_depth, &moment_atoms>,
     .source = R"GLSL(
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+// umbrage_decode_msm: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b: mean of texels. receiver: depth in [0, 1], bias applied
+//   bias: (3e-6, 0.375) for 32-bit floats, (6e-5, 0.628) for 16-bit channels
 UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
     UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
@@ -277,7 +283,7 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
     UMBRAGE_HIGHP float first = atoms.x < x ? atoms.z : 0.0;
     UMBRAGE_HIGHP float second = atoms.y < x ? atoms.w : 0.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = 1.0 - (first + second);
-    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // false for NaN
     lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Prefiltered maps as values: what a texel is, how depth becomes one, what a mean of texels says. One list, which
-// functions over images, tools and tables walk.
+// Prefiltered maps (VSM, ESM, EVSM, MSM) as values, in one list. Each has its texel type, encodes depth and decodes
+// visibility. Functions over images, tools and tables use the list.
 //
 //     umbrage::prefilters::evsm4 filter{umbrage::make_evsm({.exponent = 30.0f})};
 //     glm::vec4 texel = filter.encode(depth);
@@ -18,7 +18,8 @@
 
 namespace umbrage {
 
-/// Depths to texels, and visibility from a mean of texels: all that functions over images ask for.
+/// Value that encodes depths as texels, and decodes visibility from a mean of texels. Functions over images need no
+/// more.
 template <class Prefilter>
 concept prefilter = std::copyable<Prefilter> && requires(const Prefilter& p, float depth) {
     typename Prefilter::texel;
@@ -29,7 +30,7 @@ concept prefilter = std::copyable<Prefilter> && requires(const Prefilter& p, flo
 
 namespace detail {
 
-/// Says in words what a type lacks that is used as a prefilter.
+/// Checks that a type can be used as a prefilter, with a readable error message.
 template <class Prefilter>
 consteval bool is_prefilter() {
     static_assert(!encoding<Prefilter>, "visibility from a map of an encoding takes a filter before `out`");
@@ -43,7 +44,7 @@ consteval bool is_prefilter() {
 
 namespace prefilters {
 
-/// Depth and its square: two floats of 32 bits. Light bleeds through behind casters that lie behind each other.
+/// Depth and its square, in two 32-bit floats. Light bleeds behind casters that overlap at different depths.
 struct vsm {
     using texel = glm::vec2;
     static constexpr std::string_view name = "vsm";
@@ -58,7 +59,7 @@ struct vsm {
     }
 };
 
-/// One power of depth. Light bleeds through where a lit surface lies behind the receiver in the same window.
+/// One power of depth. Light bleeds where a lit surface lies behind the receiver within the filter kernel.
 struct esm {
     using texel = float;
     static constexpr std::string_view name = "esm";
@@ -75,7 +76,7 @@ struct esm {
     }
 };
 
-/// A power of depth and its square.
+/// Power of depth and its square.
 struct evsm2 {
     using texel = glm::vec2;
     static constexpr std::string_view name = "evsm2";
@@ -92,7 +93,7 @@ struct evsm2 {
     }
 };
 
-/// A growing and a falling power, and their squares: the least light of those with moments of two depths.
+/// Growing and falling power of depth, and their squares. Less light bleeding than vsm and evsm2.
 struct evsm4 {
     using texel = glm::vec4;
     static constexpr std::string_view name = "evsm4";
@@ -109,7 +110,7 @@ struct evsm4 {
     }
 };
 
-/// Four moments in floats of 32 bits.
+/// Four moments in 32-bit floats.
 struct msm {
     using texel = glm::vec4;
     static constexpr std::string_view name = "msm";
@@ -125,7 +126,7 @@ struct msm {
     [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
 };
 
-/// Four moments for channels of 16 bits.
+/// Four optimized moments in 16-bit channels.
 struct msm_unorm16 {
     using texel = glm::vec4;
     static constexpr std::string_view name = "msm_unorm16";
@@ -145,7 +146,7 @@ struct msm_unorm16 {
     }
 };
 
-/// Four moments in floats of 32 bits, of depths known to lie in [0, 1].
+/// Four moments in 32-bit floats, for depths known to lie in [0, 1].
 struct msm_hausdorff {
     using texel = glm::vec4;
     static constexpr std::string_view name = "msm_hausdorff";
@@ -159,7 +160,7 @@ struct msm_hausdorff {
         return decode_msm_hausdorff(b, receiver, bias, cleared_depth(direction));
     }
     [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
-    /// Visibility from decode_msm's.
+    /// Visibility from decode_msm's result.
     [[nodiscard]] UMBRAGE_INLINE static float within(float plain, const glm::vec4& moments, float forward) {
         return detail::lit_within(plain, moments, forward);
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Blur and mip chain of prefiltered maps, for passes of shaders: texels of the map that a pass reads make one of the
-// map that it writes. Over images: blur() and make_mip_chain(), which give the same bits.
+// Blur and mip chain of prefiltered maps, as shader passes: each pass reads one map and writes another. blur() and
+// make_mip_chain() over images give the same bits.
 //
-//     out_texel = umbrage_blur_row5(map, size, texel, vec2(0.0, 1.0));  // first along y into a map of its own,
-//     out_texel = umbrage_blur_row5(map, size, texel, vec2(1.0, 0.0));  // then that along x
+//     out_texel = umbrage_blur_row5(map, size, texel, vec2(0.0, 1.0));  // first along y, into a second map,
+//     out_texel = umbrage_blur_row5(map, size, texel, vec2(1.0, 0.0));  // then that map along x
 //
 #pragma once
 
@@ -19,7 +19,7 @@
 namespace umbrage {
 namespace detail {
 
-/// Row taps - 1 of Pascal's triangle, from the middle on.
+/// Number of Pascal's triangle in row taps - 1, at a distance from its middle.
 [[nodiscard]] constexpr int binomial_weight(int taps, int distance) {
     int weight = 1;
     for (int i = 0; i < taps / 2 - distance; ++i) weight = weight * (taps - 1 - i) / (i + 1);
@@ -28,12 +28,13 @@ namespace detail {
 
 }  // namespace detail
 
-/// Mean of texels in a row, weighed by a row of Pascal's triangle.
-/// @param fetch     ivec2 texel -> float or vector; called Taps times, texels may lie outside the map
+/// Mean of texels in a row, with the weights of a row of Pascal's triangle.
+/// @param fetch     returns a texel, float or vector, from glm::ivec2. Called Taps times, also for texels outside the
+///                  map
 /// @param step      (1, 0) along x, (0, 1) along y
 /// @formula         w0 c + w1 (before1 + after1) + ..., in this order,
 ///                  w_i = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
-/// @exactness       B, n = 7, 12, 17 of 3, 5, 7 taps;  A for 5 taps both ways over multiples of 2^-16 below 1
+/// @exactness       B, n = 7, 12, 17 of 3, 5, 7 taps;  A for 5 taps along both axes, over multiples of 2^-16 below 1
 template <int Taps, class Fetch>
 [[nodiscard]] auto blur_row(Fetch&& fetch, glm::ivec2 texel, glm::ivec2 step) {
     static_assert(Taps == 3 || Taps == 5 || Taps == 7);
@@ -45,8 +46,8 @@ template <int Taps, class Fetch>
     return sum;
 }
 
-/// Mean of the 2x2 texels that one of the next level of a mip chain is made of.
-/// @param texel     of the next level; where a level's size is odd, its last column or row counts twice
+/// Mean of the 2x2 texels behind one texel of the next mip level.
+/// @param texel     index in the next level. Where a level's size is odd, its last column or row counts twice
 /// @formula         ((a + b) + (c + d)) / 4
 /// @exactness       B, n = 8;  A for multiples of 2^-22 below 1
 template <class Fetch>
@@ -64,9 +65,10 @@ inline constexpr detail::short_name blur_row_name("blur_row$n", {{'n', Taps}});
 [[nodiscard]] inline std::string blur_row_text(int taps) {
     std::string out =
         detail::filled(R"GLSL(
-// umbrage_blur_row$n: mean of $n texels in a row, weighed by a row of Pascal's triangle
-//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
-//   along      (1.0, 0.0) or (0.0, 1.0)
+// umbrage_blur_row$n: mean of $n texels in a row, with the weights of a row of Pascal's triangle
+//   map, size   map that is read, and its size in texels
+//   texel       index of the texel, integers. (0, 0) is the first
+//   along       (1.0, 0.0) or (0.0, 1.0)
 UMBRAGE_HIGHP vec4 umbrage_blur_row$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                      UMBRAGE_HIGHP vec2 along) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * ($w.0 / $d.0);
@@ -84,7 +86,7 @@ UMBRAGE_HIGHP vec4 umbrage_blur_row$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 }
 template <int Taps>
 inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
-                                  .summary = "mean of texels in a row",
+                                  .summary = "blur: binomial mean of texels in a row",
                                   .exactness = tier::b,
                                   .operations = (5 * Taps - 1) / 2,
                                   .needs = list<&fetch_clamped>,
@@ -92,13 +94,14 @@ inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
 
 inline constexpr snippet halve_texels{
     .name = "halve_texels",
-    .summary = "mean of 2x2 texels",
+    .summary = "mip chain: mean of 2x2 texels",
     .exactness = tier::b,
     .operations = 8,
     .needs = list<&fetch_clamped>,
     .source = R"GLSL(
-// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
-//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+// umbrage_halve_texels: mean of the 2x2 texels behind one texel of the next mip level
+//   map, size   map that is read, and its size in texels
+//   texel       index in the next level, integers
 UMBRAGE_HIGHP vec4 umbrage_halve_texels(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_HIGHP vec2 at = texel * 2.0;
     UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, at);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Variance shadow maps: a texel holds depth and its square, which may be blurred, halved and filtered by the sampler.
+// Variance shadow maps (VSM): each texel stores depth and its square. Texels can be blurred, mipmapped and filtered by
+// the sampler.
 //
-//     glm::vec2 texel = umbrage::encode_vsm(depth);  // blur and so on are means of texels
+//     glm::vec2 texel = umbrage::encode_vsm(depth);  // a blurred map holds means of texels
 //     float visibility = umbrage::decode_vsm(blurred, receiver, 1e-6f);
 //
-// Needs floats of 32 bits. For targets of 16 bits, or of four times 8, hold mean and deviation instead: of depth and
-// its square too little is left there to take a variance from.
+// It needs 32-bit floats. In 16-bit or four 8-bit channels, depth and its square are too coarse for a variance. Store
+// mean and deviation there instead:
 //
 //     glm::vec2 held = umbrage::encode_deviation(blurred);  // each 0 to 1: two channels of 16 bits, or encode_rg<16>
 //     glm::vec2 moments = umbrage::decode_deviation(held);
 //
-// A mean of held values is no mean of depths: decode, blur, encode.
+// A mean of these values is not a mean of depths: decode, blur, then encode again.
+// See also: evsm.hpp and msm.hpp, which have less light bleeding.
 #pragma once
 
 #include <cmath>
@@ -21,8 +23,10 @@
 
 namespace umbrage {
 
-/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1)
-/// @param cleared   1, or 0 where depth is reversed
+/// Texel of a variance shadow map: depth and its square.
+/// @param depth     in [0, 1]; clamped
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
+/// @edge            NaN: (1, 1), as the far plane and a cleared texel
 /// @formula         (d, d^2), d = to_forward_depth
 /// @exactness       B, n = 3
 template <real T>
@@ -31,11 +35,13 @@ template <real T>
     return {d, d * d};
 }
 
+/// Visibility from a mean of texels of a variance shadow map.
 /// @param m              mean of texels
-/// @param receiver       depth, biased; NaN is in shadow
-/// @param min_variance   >= 0; 1e-6 for floats of 32 bits: variance that a slope or rounding brings, without which
+/// @param receiver       receiver depth, with the bias already applied
+/// @param min_variance   >= 0; 1e-6 for 32-bit floats. It covers the variance that slopes and rounding add. Without it,
 ///                       surfaces shadow themselves
-/// @return               visibility before reduce_light_bleeding: at least the lit share, less chebyshev's error
+/// @return               visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
+/// @edge                 NaN receiver: 0
 /// @formula              chebyshev(m, to_forward_depth(receiver), min_variance)
 /// @exactness            C, n = 13: a division. S is chebyshev's
 /// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
@@ -44,10 +50,12 @@ template <real T>
     return chebyshev(m, to_forward_depth(receiver, cleared), min_variance);
 }
 
+/// Mean and deviation from the two moments of depth.
 /// @param m         mean of the depths, mean of their squares
-/// @return          mean and twice the standard deviation, for depths in [0, 1] each 0 to 1; the latter 0 for NaN
+/// @return          mean and twice the standard deviation, each in [0, 1] for depths in [0, 1]
+/// @edge            NaN: the deviation is 0
 /// @formula         (m.x, 2 sqrt(max(m.y - m.x^2, 0)))
-/// @exactness       C, n = 7: a root. Where twice the bound of m.y - m.x^2 is above it, within 2 sqrt(m.y - m.x^2 +
+/// @exactness       C, n = 7: a root. Where twice the bound of m.y - m.x^2 exceeds it, within 2 sqrt(m.y - m.x^2 +
 ///                  that bound)
 template <real T>
 [[nodiscard]] glm::vec<2, T> encode_deviation(glm::vec<2, T> m) {
@@ -55,6 +63,7 @@ template <real T>
     return {m.x, T(2) * std::sqrt(!is_nan(variance) && variance > T(0) ? variance : T(0))};
 }
 
+/// Two moments of depth from mean and deviation.
 /// @param held      mean and twice the standard deviation, as stored
 /// @return          mean of the depths, mean of their squares
 /// @formula         (mean, mean^2 + (deviation / 2)^2)
@@ -65,10 +74,10 @@ template <real T>
     return {held.x, held.x * held.x + half * half};
 }
 
-/// Mean and deviation of four channels of 8 bits, each as encode_rg<16> has it.
+/// Two moments of depth from four 8-bit channels, which hold mean and deviation as encode_rg<16> writes them.
 /// @param c         as sampled, k / 255
-/// @return          the mean of the depths, the mean of their squares: mean and deviation of the upper edges of their
-///                  codes, so that nothing gets darker by being stored
+/// @return          mean of the depths, mean of their squares. Both channels decode to the upper end of the
+///                  quantization step, so nothing gets darker by being stored
 /// @formula         decode_deviation(decode_rg<16>(c.xy), decode_rg<16>(c.zw))
 /// @exactness       B, n = 21
 template <real T>
@@ -81,12 +90,12 @@ namespace glsl {
 
 inline constexpr snippet encode_vsm{
     .name = "encode_vsm",
-    .summary = "depth to a texel of a variance shadow map",
+    .summary = "VSM: depth to a texel",
     .exactness = tier::b,
     .operations = 3,
     .needs = list<&saturate, &to_forward_depth>,
     .source = R"GLSL(
-// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+// umbrage_encode_vsm: texel of a variance shadow map, depth and its square. NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     return vec2(d, d * d);
@@ -96,13 +105,15 @@ UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet decode_vsm{
     .name = "decode_vsm",
-    .summary = "mean of texels of a variance shadow map to visibility",
+    .summary = "VSM: mean of texels to visibility",
     .exactness = tier::c,
     .operations = 13,
     .needs = list<&chebyshev, &to_forward_depth>,
     .source = R"GLSL(
-// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+// umbrage_decode_vsm: visibility of a receiver from a variance shadow map, at least its lit fraction. 1.0 = lit
+//   m              mean of texels
+//   receiver       receiver depth, bias applied
+//   min_variance   0.0 or more
 UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                        UMBRAGE_HIGHP float min_variance) {
     return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
@@ -112,7 +123,7 @@ UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float
 
 inline constexpr snippet encode_deviation{
     .name = "encode_deviation",
-    .summary = "depth's two moments to mean and deviation",
+    .summary = "VSM: two moments of depth to mean and deviation",
     .exactness = tier::c,
     .operations = 7,
     .source = R"GLSL(
@@ -126,7 +137,7 @@ UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
 
 inline constexpr snippet decode_deviation{
     .name = "decode_deviation",
-    .summary = "mean and deviation to depth's two moments",
+    .summary = "VSM: mean and deviation to two moments of depth",
     .exactness = tier::b,
     .operations = 5,
     .source = R"GLSL(
@@ -141,12 +152,13 @@ UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
 
 inline constexpr snippet decode_deviation_rgba8{
     .name = "decode_deviation_rgba8",
-    .summary = "mean and deviation in four channels to depth's two moments",
+    .summary = "VSM: mean and deviation in RGBA8 to two moments of depth",
     .exactness = tier::b,
     .operations = 21,
     .needs = list<&decode_deviation, &decode_rg<16>>,
     .source = R"GLSL(
-// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+// umbrage_decode_deviation_rgba8: RGBA8 mean and deviation to mean and mean square of depths
+//   c   as sampled, mean in xy and deviation in zw
 UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_HIGHP float mean = umbrage_decode_rg16(vec2(c.x, c.y), 1.0);
     UMBRAGE_HIGHP float deviation = umbrage_decode_rg16(vec2(c.z, c.w), 1.0);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Moment shadows from a summed-area table: a box of any size from its four corners.
+// Moment shadows (MSM) from a summed-area table (SAT): a box filter of any size from its four corners.
 //
 //     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, {.radius = 16});
 //     float visibility = umbrage::summed_moments(umbrage::clamped(table), table.size(), coord, depth - bias, 16.0f,
 //                                                umbrage::msm_bias_16);
 //
-// The table holds turned moments as whole numbers of 16 bits, so that their sums over a box are exact: its left half
-// has the sums modulo 2^16, its right half what they are over 2^16. That is one texture of RGBA16UI.
+// The table holds optimized moments as integers of 16 bits, so their sums over a box are exact. Its left half stores
+// the sums modulo 2^16, its right half the sums divided by 2^16. One RGBA16UI texture holds both.
+// Also called: SAT, SATVSM with moments. See also: summed_variance.hpp, which needs less memory.
 #pragma once
 
 #include <glm/common.hpp>
@@ -20,14 +21,16 @@
 
 namespace umbrage {
 
-/// Mean of four whole numbers below 2^16 over a box.
-/// @param table        ivec2 -> four whole numbers below 2^16: in the left half sums modulo 2^16 of all texels before
-///                     a column and a row, in the right half the same sums over 2^16, modulo 2^16
-/// @param half_width   columns of either half
-/// @param first        of the box: lowest column and row;   end  highest and one, first < end
+/// Mean over a box of four integers below 2^16, from a summed-area table.
+/// @param table        returns a texel of the table: four integers below 2^16, from glm::ivec2. The left half holds
+///                     sums over all texels before a column and a row, modulo 2^16. The right half holds the same sums
+///                     over 2^16, modulo 2^16
+/// @param half_width   columns of each half
+/// @param first        lowest column and row of the box
+/// @param end          highest column and row of the box plus one; first < end
 /// @formula            (a - b - c + d) mod 2^32 over the number of texels
-/// @exactness          C, n = 19: a division. S is below 2^36 (first + end).x (first + end).y / texels^2, and the
-///                     dividend is the sum to half an ulp, while that is below 2^32, however often the table wrapped
+/// @exactness          C, n = 19: a division. S is below 2^36 (first + end).x (first + end).y / texels^2. The dividend
+///                     is the sum to half an ulp while the sum is below 2^32, however often the table wrapped
 template <real T, class Fetch>
 [[nodiscard]] glm::vec<4, T> box_mean(Fetch&& table, int half_width, glm::ivec2 first, glm::ivec2 end) {
     const auto part = [&](int right) {
@@ -42,17 +45,19 @@ template <real T, class Fetch>
     return (high * T(65536) + (low - carry * T(65536))) / (sides.x * sides.y);
 }
 
-/// Share of the texels in a box that can be lit, from their four moments.
-/// @param table      as make_moment_table makes it
-/// @param size       of the table in texels: (2 (w + 1), h + 1) of a map of w x h
-/// @param coord      receiver in texels of the map, the first texel's center is (0.5, 0.5); outside texel space, or
-///                   NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
+/// Upper bound on the lit fraction of a box, from the four moments of its depths.
+/// @param table      returns a texel of the table, from make_moment_table
+/// @param size       size of the table in texels: (2 (w + 1), h + 1) for a map of w x h
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param radius     in texels, an integer >= 0, at most the table's radius. The box has 2 radius + 1 texels per side
 /// @param bias       msm_bias_16
-/// @param outside    bordered: outside the map all is lit; clamped: as at its edge. Of a box the texels inside count
-/// @return           visibility: at least the lit share of the box, less bias.x and decode_msm's error
-/// @formula          decode_msm of box_mean / 65535, turned back
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
+/// @param outside    bordered: everything outside the map is lit. clamped: as at the map's edge. Only the texels of the
+///                   box that lie inside the map count
+/// @return           visibility: at least the lit fraction of the box, minus bias.x and decode_msm's error
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @formula          decode_msm of box_mean / 65535, through from_optimized_moments
 /// @exactness        C, within 1/64 as written
 /// @cite             Peters, Klein: Moment shadow mapping, I3D 2015; Crow: Summed-area tables for texture mapping,
 ///                   SIGGRAPH 1984
@@ -74,13 +79,14 @@ namespace glsl {
 
 inline constexpr snippet box_mean{
     .name = "box_mean",
-    .summary = "mean of four whole numbers over a box, from a summed-area table in two halves",
+    .summary = "mean of four integers over a box, from a SAT in two halves",
     .exactness = tier::c,
     .operations = 19,
     .needs = list<&texel>,
     .source = R"GLSL(
-// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
-//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+// umbrage_box_mean: mean over a box of four integers below 65536.0
+//   map, size    table from make_moment_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 UMBRAGE_HIGHP vec4 umbrage_box_mean(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
                                     UMBRAGE_HIGHP vec2 end) {
     UMBRAGE_HIGHP float right = size.x * 0.5;
@@ -105,16 +111,18 @@ UMBRAGE_HIGHP vec4 umbrage_box_mean(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
 
 inline constexpr snippet summed_moments{
     .name = "summed_moments",
-    .summary = "moment shadow over a box of any size, from a summed-area table",
+    .summary = "moment shadow over a box of any size, from a SAT",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
     .needs = list<&in_filter_domain, &map_covers, &box_mean, &from_optimized_moments, &decode_msm>,
     .source = R"GLSL(
-// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
-//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
-//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+// umbrage_summed_moments: moment shadow from a summed-area table. Returns visibility, 1.0 = lit
+//   map, size   table from make_moment_table and its size: twice the shadow map's width plus two, its height plus one
+//   coord       receiver in texels of the shadow map. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      an integer. The box has 2 radius + 1 texels per side
+//   bias        (6e-5, 0.628)
 UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                            UMBRAGE_HIGHP vec2 bias) {

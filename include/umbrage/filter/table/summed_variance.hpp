@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Variance shadows from a summed-area table: a box of any size from four texels.
+// Variance shadows (VSM) from a summed-area table (SAT): a box filter of any size from four texels.
 //
 //     umbrage::image<glm::u16vec4> table = umbrage::make_variance_table(map, {.bits = 11, .radius = 16});
 //     float visibility =
 //         umbrage::summed_variance(umbrage::clamped(table), map.size(), coord, depth - bias, 16.0f, 2048.0f);
 //
-// The table's sums are whole numbers modulo 2^32, and so are their differences: exact while what they say of a box is
-// below 2^32. Squares are taken about the box's mean, rounded down, and never leave whole numbers: nothing cancels but
-// what is exact, as n S2 - S1^2 would in floats.
+// The table's sums are integers modulo 2^32, and so are their differences. They are exact while the sum over a box is
+// below 2^32. Squares are taken about the box's mean, rounded down, and stay integers. So nothing cancels but exact
+// values, unlike n S2 - S1^2 in floats.
+// Also called: SAVSM, SATVSM. See also: summed_moments.hpp, which has less light bleeding.
 #pragma once
 
 #include <glm/common.hpp>
@@ -21,15 +22,17 @@
 
 namespace umbrage {
 
-/// What a table says of the codes in a box of n texels.
-/// @param table   ivec2 -> four whole numbers below 2^16: sums of codes modulo 2^16 and over 2^16, and of their
-///                squares; of all texels before a column and a row
-/// @param first   of the box: lowest column and row;   end  highest and one, first < end
-/// @return        (mean, rest, high, low): the codes' sum is n mean + rest, rest < n, and the sum of their squared
+/// Sums over a box of n texels, from a summed-area table of quantized depths (codes).
+/// @param table   returns a texel of the table: four integers below 2^16, from glm::ivec2. They are the sums of codes,
+///                modulo 2^16 and over 2^16, and the same of their squares. Sums are over all texels before a column
+///                and row
+/// @param first   lowest column and row of the box
+/// @param end     highest column and row of the box plus one; first < end
+/// @return        (mean, rest, high, low). The sum of the codes is n mean + rest, rest < n. The sum of their squared
 ///                distances from mean is 4096 high + low, low < 4096
 /// @formula       with T = sum + rest: squares - mean T, in digits of 12 bits
-/// @exactness     A while codes are below 2^12, n times the codes that there are at most 2^24 and the squared
-///                distances' sum < 2^32, which make_variance_table sees to, however often the table has wrapped
+/// @exactness     A while codes are below 2^12, n times the number of codes is at most 2^24 and the sum of squared
+///                distances < 2^32. make_variance_table ensures that, however often the table has wrapped
 template <real T, class Fetch>
 [[nodiscard]] glm::vec<4, T> box_moments(Fetch&& table, glm::ivec2 first, glm::ivec2 end) {
     using four = glm::vec<4, T>;
@@ -38,7 +41,7 @@ template <real T, class Fetch>
     const four part = (a - b) - (c - d);
     const T carry_1 = glm::floor(part.x * T(1.0 / 65536.0)), carry_2 = glm::floor(part.z * T(1.0 / 65536.0));
     const T above_1 = part.y + carry_1, above_2 = part.w + carry_2;
-    // Nothing below is negative; compilers cannot regroup sums across a max.
+    // Nothing below is negative. The maxima keep compilers from regrouping sums across them.
     const T low_1 = detail::greater(part.x - carry_1 * T(65536), T(0)),
             low_2 = detail::greater(part.z - carry_2 * T(65536), T(0));
     const T high_1 = detail::greater(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));
@@ -54,15 +57,19 @@ template <real T, class Fetch>
     return {mean, rest, high, below - borrow * T(4096)};
 }
 
-/// Share of the texels in a box that can be lit: Chebyshev's bound, from its mean and variance.
-/// @param table      as make_variance_table makes it
-/// @param size       of the map in texels; the table has one more column and row
-/// @param coord      receiver in texels, the first texel's center is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
+/// Upper bound on the lit fraction of a box: Chebyshev's inequality, from its mean and variance.
+/// @param table      returns a texel of the table, from make_variance_table
+/// @param size       size of the map in texels; the table has one more column and row
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param radius     in texels, an integer >= 0, at most the table's radius. The box has 2 radius + 1 texels per side
 /// @param codes      2^bits of the table
-/// @param outside    bordered: outside the map all is lit; clamped: as at its edge. Of a box the texels inside count
-/// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit share
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @param outside    bordered: everything outside the map is lit. clamped: as at the map's edge. Only the texels of the
+///                   box that lie inside the map count
+/// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit
+///                   fraction
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          m, v mean and variance of the codes + 1: d = codes receiver - m; d <= 0 ? 1 : v / (v + d^2)
 /// @exactness        C, within 1/65536: two divisions, on numbers that do not cancel; d is off by 2^-23 where v is at
 ///                   least 1/64^2
@@ -88,13 +95,14 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 inline constexpr snippet box_moments{
     .name = "box_moments",
-    .summary = "mean and squared distances from it over a box, from a summed-area table",
+    .summary = "mean and squared distances over a box, from a SAT",
     .exactness = tier::a,
     .needs = list<&texel, &floor_divide>,
     .source = R"GLSL(
-// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
-//   that of their squared distances from mean 4096 high + low;  whole numbers
-//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+// umbrage_box_moments: (mean, rest, high, low) of the quantized depths in a box of n texels, integers
+//   The sum of the depths is n mean + rest. The sum of their squared distances from mean is 4096 high + low
+//   map, size    table from make_variance_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
                                        UMBRAGE_HIGHP vec2 end) {
     UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
@@ -105,7 +113,7 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
     UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
     UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
     UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
-    // nothing below is negative; compilers cannot regroup sums across a max
+    // nothing below is negative. The maxima keep compilers from regrouping sums across them
     low = max(low - carry * 65536.0, vec2(0.0, 0.0));
     above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
@@ -127,15 +135,17 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size,
 
 inline constexpr snippet summed_variance{
     .name = "summed_variance",
-    .summary = "variance shadow over a box of any size, from a summed-area table",
+    .summary = "variance shadow over a box of any size, from a SAT",
     .exactness = tier::c,
     .within = 1.0f / 65536.0f,
     .needs = list<&in_filter_domain, &map_covers, &cleared_depth, &box_moments>,
     .source = R"GLSL(
-// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
-//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
-//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+// umbrage_summed_variance: variance shadow from a summed-area table. Returns visibility, 1.0 = lit
+//   map, size   table from make_variance_table and its size: the shadow map's plus one
+//   coord       receiver in texels of the shadow map. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      an integer. The box has 2 radius + 1 texels per side
+//   codes       2^bits of the table
 UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP float codes) {
