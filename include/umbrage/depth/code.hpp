@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
+// Quantized depth: a depth as an integer of Bits bits (its code), and back. All encodings of this library build on it.
 //
 //     std::uint32_t x = umbrage::to_code<11>(0.5f);                         // 1024
 //     float d = umbrage::from_code<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
@@ -14,8 +14,9 @@
 
 namespace umbrage {
 
-/// Where in a code's interval [x, x + 1) * 2^-Bits a decoder answers. With the upper edge no surface shadows itself
-/// through quantization alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
+/// Ends and center of a quantization step [x, x + 1) * 2^-Bits: the depth to which a code x decodes. With the upper
+/// edge, no surface shadows itself from quantization alone: d <= decode(encode(d)) for every d in [0, 1]. The cleared
+/// depth 1 then decodes to 1.
 template <real T>
 inline constexpr T lower_edge = T(0);
 template <real T>
@@ -23,10 +24,13 @@ inline constexpr T center = T(0.5);
 template <real T>
 inline constexpr T upper_edge = T(1);
 
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
-/// @return        0 .. 2^Bits - 1
-/// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
-/// @exactness     A: scaling by a power of two, floor, min
+/// Code of a depth.
+/// @param depth     in [0, 1]; clamped
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
+/// @return          0 .. 2^Bits - 1
+/// @edge            NaN: the code of the cleared depth
+/// @formula         min(floor(depth 2^Bits), 2^Bits - 1)
+/// @exactness       A: scaling by a power of two, floor, min
 template <int Bits, real T>
 [[nodiscard]] constexpr std::uint32_t to_code(T depth, T cleared = T(1)) {
     static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
@@ -35,16 +39,17 @@ template <int Bits, real T>
     return x < codes ? x : codes - 1;
 }
 
+/// Depth of a code.
 /// @param code    0 .. 2^Bits - 1
 /// @param edge    lower_edge, center or upper_edge
 /// @return        (code + edge) 2^-Bits
-/// @exactness     A, but for the center of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
+/// @exactness     A, except for the center of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
 template <int Bits, real T>
 [[nodiscard]] constexpr T from_code(T code, T edge) {
     return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
 }
 
-/// How far from_code's answer may lie below and above a depth that to_code was given.
+/// Largest errors of from_code(to_code(depth)), below and above the depth.
 [[nodiscard]] constexpr decoding_error edge_error(int bits, float edge) {
     const double step = 1.0 / static_cast<double>(std::uint32_t(1) << bits);
     return {.below = (1.0 - static_cast<double>(edge)) * step, .above = static_cast<double>(edge) * step};

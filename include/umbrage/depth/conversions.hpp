@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Kinds of depth, and the way from one to another.
+// Conversions between the depths that a shadow map can store.
 //   z/w               what the rasterizer interpolates: project_depth
 //   linear depth      view-space distance along the light's axis over z_far: linear_depth
-//   radial distance   from the light to the point over its range: distance_depth
-//   reversed          1 - depth; what comes from it directly keeps the digits that 1 - depth drops
+//   radial distance   distance from the light over its range: distance_depth
+//   reversed          1 - depth. Reversed versions keep the digits that 1 - depth would drop
 //
 //     float d = umbrage::linear_depth(-view_position.z, 1.0f / z_far);
 //
@@ -19,36 +19,34 @@
 
 namespace umbrage {
 
-/// @param z_view      distance along the light's axis, positive in front of it
+/// Linear depth, z_view * inv_z_far: 0 at the light, 1 at the far plane, not clamped.
+/// @param z_view      distance along the light's axis in world units, positive in front of the light
 /// @param inv_z_far   1 / z_far
-/// @return            0 at the light, 1 at the far plane; not clamped
-/// @formula           z_view * inv_z_far
 /// @exactness         B, n = 1: one product
 template <real T>
 [[nodiscard]] constexpr T linear_depth(T z_view, T inv_z_far) {
     return z_view * inv_z_far;
 }
 
-/// @param z, w    clip coordinates
-/// @param cleared cleared_depth of the clip space: 1, or 0 when reversed
-/// @return        z / w; cleared, which is far, for w <= 0 (not in front of the light) and NaN in w
-/// @exactness     C, n = 3: one division. S = |z / w|
+/// Depth from clip coordinates, z / w.
+/// @param cleared   cleared_depth of the clip space: 1, or 0 where depth is reversed
+/// @edge            w <= 0 (not in front of the light) or NaN: cleared, the far plane
+/// @exactness       C, n = 3: one division. S = |z / w|
 template <real T>
 [[nodiscard]] constexpr T project_depth(T z, T w, T cleared) {
     return w > T(0) && !is_nan(w) ? z / w : cleared;
 }
 
-/// @param to_point    from the light to the point
+/// Radial distance, |to_point| * inv_range: 0 at the light, 1 at its range, not clamped.
+/// @param to_point    vector from the light to the point, world units
 /// @param inv_range   1 / range of the light
-/// @return            0 at the light, 1 at its range; not clamped
-/// @formula           |to_point| * inv_range
 /// @exactness         C, n = 9: a square root
 template <real T>
 [[nodiscard]] T distance_depth(glm::vec<3, T> to_point, T inv_range) {
     return std::sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
 }
 
-/// Forward depth from reversed, or reversed from forward.
+/// Forward depth from reversed depth, or reversed from forward.
 /// @formula       1 - depth
 /// @exactness     B, n = 1: one subtraction, exact for depth in [1/2, 2] and for multiples of 2^-24 in [0, 1]
 template <real T>
@@ -64,11 +62,10 @@ template <real T>
     return ndc * T(0.5) + T(0.5);
 }
 
-/// Perspective depth to distance along the light's axis.
-///
+/// Distance along the light's axis from perspective depth.
 /// @param depth           z/w in [0, 1], 0 at the near plane
-/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
-/// @return                z_near .. z_far; not clamped
+/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
+/// @return                z_near .. z_far, world units; not clamped
 /// @formula               n / (1 - depth (1 - n / f))
 /// @exactness             C, n = 8: two divisions. S = n (1 + depth (1 + n / f)) / (1 - depth (1 - n / f))^2
 template <real T>
@@ -76,10 +73,9 @@ template <real T>
     return z_near / (T(1) - depth * (T(1) - z_near / z_far));
 }
 
-/// Distance along the light's axis to perspective depth.
-///
-/// @param z_view          > 0
-/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
+/// Perspective depth from the distance along the light's axis.
+/// @param z_view          > 0, world units
+/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (1 - n / z) / (1 - n / f)
 /// @exactness             C, n = 10: three divisions. S = (1 + n / z) (1 + n / f) / (1 - n / f)^2
@@ -88,23 +84,23 @@ template <real T>
     return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
 }
 
-/// Reversed perspective depth to distance along the light's axis.
+/// Distance along the light's axis from reversed perspective depth.
 ///
+/// It is within 3 ulp of the distance for depth in [0, 1], since nothing cancels. Going through 1 - depth would lose
+/// thousands of ulp far from the light.
 /// @param depth           z/w in [0, 1], 1 at the near plane
-/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
-/// @return                z_near .. z_far; not clamped
-/// @formula               n / (n / f + depth (1 - n / f)): within 3 ulp of the distance for depth in [0, 1], as nothing
-///                        cancels; by way of 1 - depth thousands of ulp are lost far out
+/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
+/// @return                z_near .. z_far, world units; not clamped
+/// @formula               n / (n / f + depth (1 - n / f))
 /// @exactness             C, n = 11: two divisions. S = n (n / f + depth (1 + n / f)) / (n / f + depth (1 - n / f))^2
 template <real T>
 [[nodiscard]] constexpr T view_z_from_reversed_depth(T depth, T z_near, T z_far) {
     return z_near / (z_near / z_far + depth * (T(1) - z_near / z_far));
 }
 
-/// Distance along the light's axis to reversed perspective depth.
-///
-/// @param z_view          > 0, finite
-/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
+/// Reversed perspective depth from the distance along the light's axis.
+/// @param z_view          > 0, finite, world units
+/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
 /// @return                z/w in [0, 1], 1 at the near plane; not clamped
 /// @formula               n / z (1 - z / f) / (1 - n / f)
 /// @exactness             C, n = 13: four divisions. S = n / z (1 + z / f) (1 + n / f) / (1 - n / f)^2
@@ -113,11 +109,10 @@ template <real T>
     return z_near / z_view * (T(1) - z_view / z_far) / (T(1) - z_near / z_far);
 }
 
-/// Orthographic depth, a directional light's, to distance along the light's axis.
-///
+/// Distance along the light's axis from orthographic depth, as of a directional light.
 /// @param depth           z/w in [0, 1], 0 at the near plane
-/// @param z_near, z_far   z_near < z_far; when reversed, exchange the two: digits are kept, without 1 - depth
-/// @return                z_near .. z_far; not clamped
+/// @param z_near, z_far   z_near < z_far, world units. Exchange them where depth is reversed: that keeps all digits
+/// @return                z_near .. z_far, world units; not clamped
 /// @formula               n + depth (f - n)
 /// @exactness             B, n = 3: sums and a product
 template <real T>
@@ -125,9 +120,8 @@ template <real T>
     return z_near + depth * (z_far - z_near);
 }
 
-/// Distance along the light's axis to orthographic depth, a directional light's.
-///
-/// @param z_near, z_far   z_near < z_far; when reversed, exchange the two
+/// Orthographic depth, as of a directional light, from the distance along the light's axis.
+/// @param z_near, z_far   z_near < z_far, world units. Exchange them where depth is reversed
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (z - n) / (f - n)
 /// @exactness             C, n = 5: one division. S = (z + n) (f + n) / (f - n)^2
@@ -144,7 +138,7 @@ inline constexpr snippet linear_depth{
     .exactness = tier::b,
     .operations = 1,
     .source = R"GLSL(
-// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+// umbrage_linear_depth: distance along the light's axis, positive in front of the light, times 1 / z_far
 UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
     return z_view * inv_z_far;
 }
@@ -153,11 +147,11 @@ UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIG
 
 inline constexpr snippet project_depth{
     .name = "project_depth",
-    .summary = "z / w, far behind the light",
+    .summary = "z / w, and the far plane behind the light",
     .exactness = tier::c,
     .operations = 3,
     .source = R"GLSL(
-// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+// umbrage_project_depth: z / w. Returns cleared for w <= 0.0: 1.0, or 0.0 where depth is reversed
 UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w, UMBRAGE_HIGHP float cleared) {
     return w > 0.0 ? z / w : cleared;
 }
@@ -170,7 +164,7 @@ inline constexpr snippet distance_depth{
     .exactness = tier::c,
     .operations = 9,
     .source = R"GLSL(
-// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+// umbrage_distance_depth: length of to_point, the vector from the light, times 1 / range
 UMBRAGE_HIGHP float umbrage_distance_depth(UMBRAGE_HIGHP vec3 to_point, UMBRAGE_HIGHP float inv_range) {
     return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
 }
@@ -183,7 +177,7 @@ inline constexpr snippet reverse_depth{
     .exactness = tier::b,
     .operations = 1,
     .source = R"GLSL(
-// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+// umbrage_reverse_depth: forward depth from reversed depth, or reversed from forward
 UMBRAGE_HIGHP float umbrage_reverse_depth(UMBRAGE_HIGHP float depth) {
     return 1.0 - depth;
 }
@@ -210,7 +204,7 @@ inline constexpr snippet view_z_from_depth{
     .exactness = tier::c,
     .operations = 8,
     .source = R"GLSL(
-// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+// umbrage_view_z_from_depth: distance along the light's axis from perspective depth in [0, 1], 0.0 at z_near
 UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
                                               UMBRAGE_HIGHP float z_far) {
     return z_near / (1.0 - depth * (1.0 - z_near / z_far));
@@ -224,7 +218,7 @@ inline constexpr snippet depth_from_view_z{
     .exactness = tier::c,
     .operations = 10,
     .source = R"GLSL(
-// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+// umbrage_depth_from_view_z: perspective depth in [0, 1], 0.0 at z_near, from the distance along the light's axis
 UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                               UMBRAGE_HIGHP float z_far) {
     return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
@@ -238,7 +232,7 @@ inline constexpr snippet view_z_from_reversed_depth{
     .exactness = tier::c,
     .operations = 11,
     .source = R"GLSL(
-// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+// umbrage_view_z_from_reversed_depth: distance along the light's axis from perspective depth in [0, 1], 1.0 at z_near
 UMBRAGE_HIGHP float umbrage_view_z_from_reversed_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
                                                        UMBRAGE_HIGHP float z_far) {
     return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
@@ -252,7 +246,8 @@ inline constexpr snippet reversed_depth_from_view_z{
     .exactness = tier::c,
     .operations = 13,
     .source = R"GLSL(
-// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+// umbrage_reversed_depth_from_view_z: perspective depth in [0, 1], 1.0 at z_near, from the distance along the light's
+// axis
 UMBRAGE_HIGHP float umbrage_reversed_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                                        UMBRAGE_HIGHP float z_far) {
     return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
@@ -266,8 +261,8 @@ inline constexpr snippet view_z_from_orthographic_depth{
     .exactness = tier::b,
     .operations = 3,
     .source = R"GLSL(
-// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
-// axis; when reversed, exchange z_near and z_far
+// umbrage_view_z_from_orthographic_depth: distance along the light's axis from orthographic depth in [0, 1]
+// Depth is 0.0 at z_near. Exchange z_near and z_far where it is reversed
 UMBRAGE_HIGHP float umbrage_view_z_from_orthographic_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
                                                            UMBRAGE_HIGHP float z_far) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z_view = z_near + depth * (z_far - z_near);
@@ -282,8 +277,8 @@ inline constexpr snippet orthographic_depth_from_view_z{
     .exactness = tier::c,
     .operations = 5,
     .source = R"GLSL(
-// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
-// z_near; when reversed, exchange z_near and z_far
+// umbrage_orthographic_depth_from_view_z: orthographic depth in [0, 1] from the distance along the light's axis
+// Depth is 0.0 at z_near. Exchange z_near and z_far where it is reversed
 UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                                            UMBRAGE_HIGHP float z_far) {
     return (z_view - z_near) / (z_far - z_near);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A map of plain floats, with the face of an encoding.
+// Shadow map of plain floats, with the interface of an encoding.
 //
 //     umbrage::image<float> map(size, umbrage::depth32f{}.cleared());
 //
@@ -13,7 +13,7 @@
 
 namespace umbrage {
 
-/// Clamped to [0, 1] on the way in; on the way out the texel is the depth.
+/// Encoding that stores depth itself, clamped to [0, 1].
 struct depth32f {
     using target = float_target;
     using texel = target::texel;
@@ -22,7 +22,7 @@ struct depth32f {
     static constexpr const glsl::snippet* writer = &glsl::saturate;
     static constexpr const glsl::snippet* reader = nullptr;
     static constexpr store_format writes = store_format::depth;
-    static constexpr std::uint64_t codes = 0x3F800001;  ///< floats from 0 to 1
+    static constexpr std::uint64_t codes = 0x3F800001;  ///< number of floats from 0 to 1
 
     depth_direction direction = depth_direction::forward;
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What an encoding is: a value that turns depths into texels and back, and knows what there is to know of itself.
+// Concepts of an encoding: a value that turns depths into texels and back.
 //
 //     umbrage::rg<11> encoding{.direction = light.clip.direction};
 //     umbrage::image<glm::u8vec2> map(size, encoding.cleared());
 //
-// The library's own are listed in encodings.hpp. Functions over images take any type with texel, encode and decode.
+// Functions over images take any type with texel, encode and decode.
+// See also: encodings.hpp, the list of this library's encodings.
 #pragma once
 
 #include <concepts>
@@ -20,20 +21,20 @@
 
 namespace umbrage {
 
-/// What the writer's snippet returns.
+/// Kind of value that a writer's snippet returns.
 enum class store_format {
-    depth,     ///< a float to write into a float target
-    integers,  ///< integer channels: the target's to_unorm makes them the values to write
-    values,    ///< values to write into a UNORM target as they are; what it makes of them is part of the format
+    depth,     ///< float, written to a float target as it is
+    integers,  ///< integer channels; the target's to_unorm turns them into values to write
+    values,    ///< values, written to a UNORM target as they are; its rounding is part of the format
 };
 
-/// How far a decoded depth may lie from the encoded one, for every depth in [0, 1).
+/// Largest distances from a depth in [0, 1) to what it decodes to after encoding.
 struct decoding_error {
-    double below = 0.0;  ///< what a receiver's bias has to cover where depth runs forward
-    double above = 0.0;  ///< the same where it is reversed
+    double below = 0.0;  ///< a receiver's bias must cover it where depth runs forward
+    double above = 0.0;  ///< a receiver's bias must cover it where depth is reversed
 };
 
-/// Depths to texels and back: all that functions over images ask for.
+/// Value that turns depths into texels and back. Functions over images need no more than this.
 template <class Encoding>
 concept encoding = std::copyable<Encoding> && requires(const Encoding& e, float depth) {
     typename Encoding::texel;
@@ -41,22 +42,22 @@ concept encoding = std::copyable<Encoding> && requires(const Encoding& e, float 
     { e.decode(typename Encoding::texel{}) } -> std::same_as<float>;
 };
 
-/// What an encoding of the library tells of itself, for tools, tables and shaders.
+/// Encoding with a name, snippets, a target and an error, for tools, tables and shaders.
 template <class Encoding>
 concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
     { Encoding::name } -> std::convertible_to<std::string_view>;     // a C++ identifier, without the template
     { Encoding::summary } -> std::convertible_to<std::string_view>;  // one sentence
     { Encoding::writer } -> std::convertible_to<const glsl::snippet*>;
-    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth
+    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null if the texel is the depth
     { Encoding::writes } -> std::convertible_to<store_format>;
-    requires render_target<typename Encoding::target>;                    // what its texels lie in
-    { Encoding::codes } -> std::convertible_to<std::uint64_t>;            // texels that the writer can give
-    { e.direction } -> std::convertible_to<depth_direction>;              // far is 1 forward, 0 reversed
-    { e.error(unorm_store::truncates) } -> std::same_as<decoding_error>;  // by default the store rounds
-    { e.cleared() } -> std::same_as<typename Encoding::texel>;            // an empty map's: decodes to the far plane
+    requires render_target<typename Encoding::target>;          // format of its texels
+    { Encoding::codes } -> std::convertible_to<std::uint64_t>;  // number of texels that the writer can return
+    { e.direction } -> std::convertible_to<depth_direction>;    // the far plane is at 1 forward, at 0 reversed
+    { e.error(unorm_store::truncates) } -> std::same_as<decoding_error>;  // the store rounds by default
+    { e.cleared() } -> std::same_as<typename Encoding::texel>;  // texel of an empty map: decodes to the far plane
 };
 
-/// Whether the reader asks which place of a code's interval it shall answer: lower_edge, center or upper_edge.
+/// Encoding with a choice of the depth that a code decodes to: lower_edge, center or upper_edge.
 template <class Encoding>
 concept has_edge = requires(Encoding e) {
     { e.edge } -> std::convertible_to<float>;
@@ -64,7 +65,7 @@ concept has_edge = requires(Encoding e) {
 
 namespace detail {
 
-/// Says in words what a type lacks that is used as an encoding.
+/// Checks that a type can be used as an encoding, with a readable error message.
 template <class Encoding>
 consteval bool is_encoding() {
     static_assert(
@@ -76,7 +77,7 @@ consteval bool is_encoding() {
     return true;
 }
 
-/// The edge on whose side no surface shadows itself through quantization alone.
+/// Edge with which no surface shadows itself from quantization alone.
 [[nodiscard]] constexpr float safe_edge(depth_direction direction) {
     return direction == depth_direction::forward ? 1.0f : 0.0f;
 }

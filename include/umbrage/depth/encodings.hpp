@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every encoding of the library, in one list: what tools, tables, proofs and examples walk.
+// List of every encoding in this library, for tools, tables, proofs and examples.
 //
 //     umbrage::for_each_encoding([](auto encoding) { std::puts(encoding.name.data()); });
 //     bool found = umbrage::with_encoding("rg11", [&](auto encoding) { umbrage::encode(depth, map, encoding); });
@@ -27,14 +27,14 @@ using encodings =
     list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, rgb10, r16, float_bits,
             threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
 
-/// Calls use(encoding) for one after the other.
+/// Calls use(encoding) once for each encoding of the list, in order.
 template <class Use>
 constexpr void for_each_encoding(Use&& use) {
     encodings::for_each(use);
 }
 
-/// Calls use(encoding) with the one of that name.
-/// @return   false where none is called so
+/// Calls use(encoding) with the encoding of that name.
+/// @return   false when no encoding has that name
 template <class Use>
 constexpr bool with_encoding(std::string_view name, Use&& use) {
     return encodings::with(name, use);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The bit pattern of any binary32 value in four 8-bit channels, R least significant.
+// Bit pattern of any 32-bit float in four 8-bit channels, R least significant.
 //
 //     glm::u8vec4 texel = umbrage::encode_float_bits(view_space_distance);
 //     float same = umbrage::decode_float_bits(texel);
@@ -20,26 +20,28 @@
 
 namespace umbrage {
 
-/// Float to channels.
+/// Four channels from a float.
 ///
-/// @param v       any value; infinities, NaN and its payload survive
+/// @param v       any value
 /// @return        integer channels 0..255, R least significant
-/// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
-template <class = void>  // templates alone may be constexpr where GLM_FORCE_INTRINSICS makes vectors no constants
+/// @edge          infinity, NaN: preserved, with the payload
+/// @exactness     A: no arithmetic. Hardware that flushes denormals may pass them to this function as zero
+template <class = void>  // only templates stay constexpr where GLM_FORCE_INTRINSICS makes vectors non-constant
 [[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
     const auto bits = detail::bit_cast<std::uint32_t>(v);
     return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
             static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
 }
 
-/// Bytes to float.
+/// Float from bytes.
 [[nodiscard]] constexpr float decode_float_bits(glm::u8vec4 texel) {
     return detail::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
                                    std::uint32_t(texel.w) << 24);
 }
 
-/// Values read from an 8-bit texture to float.
-/// @param c       as sampled, k / 255, in any rounding; clamped to [0, 1], which no texture leaves; NaN counts as 1
+/// Float from values read from an 8-bit texture.
+/// @param c       as sampled, k / 255, in any rounding; clamped to [0, 1]
+/// @edge          NaN: as 1
 /// @exactness     A
 [[nodiscard]] inline float decode_float_bits(glm::vec4 c) {
     glm::u8vec4 texel(0);
@@ -51,11 +53,11 @@ namespace glsl {
 
 inline constexpr snippet encode_float_bits{
     .name = "encode_float_bits",
-    .summary = "any float's bit pattern to four channels, R least significant",
+    .summary = "bit pattern of a float to four channels, R least significant",
     .exactness = tier::a,
     .lowest = version::v300_es,
     .source = R"GLSL(
-// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, integers 0..255
 UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
     return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
@@ -65,12 +67,12 @@ UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
 
 inline constexpr snippet decode_float_bits{
     .name = "decode_float_bits",
-    .summary = "four channels, R least significant, to the float they are",
+    .summary = "four channels, R least significant, to the float they hold",
     .exactness = tier::a,
     .lowest = version::v300_es,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+// umbrage_decode_float_bits: float from the four channels of its bit pattern, as sampled, R least significant
 UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
     UMBRAGE_HIGHP uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
@@ -83,7 +85,7 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 
 }  // namespace glsl
 
-/// The encoding as a value.
+/// Encoding by bit pattern as a value.
 struct float_bits {
     using target = unorm_target<8, 4>;
     using texel = target::texel;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Depth in one UNORM channel of 16 bits: half the memory of a float map, without packing.
+// Depth in one 16-bit UNORM channel: half the memory of a float map, without packing.
 //
 //     std::uint16_t texel = umbrage::encode_r16(depth);
 //     float stored = umbrage::decode_r16(texel, umbrage::upper_edge<float>);
@@ -14,21 +14,23 @@
 
 namespace umbrage {
 
-/// Depth to a channel.
+/// Channel from a depth.
 ///
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
-/// @return        integer 0..65535
-/// @formula       min(floor(65536 depth), 65535)
-/// @exactness     A
+/// @param depth     in [0, 1]; clamped
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
+/// @return          integer 0..65535
+/// @edge            NaN: as cleared
+/// @formula         min(floor(65536 depth), 65535)
+/// @exactness       A
 template <real T>
 [[nodiscard]] constexpr std::uint16_t encode_r16(T depth, T cleared = T(1)) {
     return static_cast<std::uint16_t>(to_code<16>(depth, cleared));
 }
 
-/// Value read from a 16-bit texture to depth.
+/// Depth from a value read from a 16-bit texture.
 ///
-/// @param c       as sampled, k / 65535; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, center or upper_edge of the code's interval
+/// @param c       as sampled, k / 65535. Any rounding of that quotient gives the same depth
+/// @param edge    lower_edge, center or upper_edge of the quantization step
 /// @formula       (k + edge) 2^-16, k = floor(65535 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-16, at the center 2^-17
 template <real T>
@@ -36,7 +38,7 @@ template <real T>
     return from_code<16>(from_unorm<16>(c), edge);
 }
 
-/// Channel to depth.
+/// Depth from a channel.
 template <real T>
 [[nodiscard]] constexpr T decode_r16(std::uint16_t texel, T edge) {
     return from_code<16>(T(texel), edge);
@@ -46,12 +48,12 @@ namespace glsl {
 
 inline constexpr snippet encode_r16{
     .name = "encode_r16",
-    .summary = "depth to one channel of 16 bits",
+    .summary = "depth to one 16-bit channel",
     .exactness = tier::a,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_r16: 16-bit channel of a depth, an integer 0..65535 for umbrage_to_unorm16
+//   depth   clamped to [0, 1]. NaN counts as far
 UMBRAGE_HIGHP float umbrage_encode_r16(UMBRAGE_HIGHP float depth) {
     return min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
 }
@@ -60,12 +62,12 @@ UMBRAGE_HIGHP float umbrage_encode_r16(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet decode_r16{
     .name = "decode_r16",
-    .summary = "one channel of 16 bits to depth",
+    .summary = "one 16-bit channel to depth",
     .exactness = tier::a,
     .needs = list<&from_unorm16>,
     .source = R"GLSL(
-// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
-//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+// umbrage_decode_r16: depth from one 16-bit channel, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 UMBRAGE_HIGHP float umbrage_decode_r16(UMBRAGE_HIGHP float c, UMBRAGE_HIGHP float edge) {
     return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
 }
@@ -74,7 +76,7 @@ UMBRAGE_HIGHP float umbrage_decode_r16(UMBRAGE_HIGHP float c, UMBRAGE_HIGHP floa
 
 }  // namespace glsl
 
-/// The encoding as a value.
+/// 16-bit encoding as a value.
 struct r16 {
     using target = unorm_target<16, 1>;
     using texel = target::texel;
@@ -87,7 +89,7 @@ struct r16 {
     static constexpr std::uint32_t codes = std::uint32_t(1) << 16;
 
     depth_direction direction = depth_direction::forward;
-    float edge = detail::safe_edge(direction);  ///< that decoding answers
+    float edge = detail::safe_edge(direction);  ///< depth that a code decodes to: lower_edge, center or upper_edge
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_r16(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_r16(t, edge); }

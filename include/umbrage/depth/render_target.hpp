@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Render targets for encoded depths: bits per channel, channels, format, and how texels lie in memory. An encoding
-// names its target; tools, tables and shaders take these facts from there.
+// Render targets for encoded depths: bits per channel, channels, format, and layout in memory. An encoding names its
+// target. Tools, tables and shaders read these facts from it.
 //
 //     using target = umbrage::unorm_target<8, 2>;  // RG8
 //     glm::u8vec2 texel = target::store(umbrage::to_unorm(glm::vec2(channels)), umbrage::unorm_store::rounds);
@@ -22,17 +22,19 @@
 
 namespace umbrage {
 
-/// A render target and texture for encoded depths.
+/// Render target and texture for encoded depths.
 template <class Target>
 concept render_target = requires {
-    typename Target::texel;                                                 // in memory
-    { Target::channels } -> std::convertible_to<int>;                       // that a shader writes and reads
-    { Target::format } -> std::convertible_to<std::string_view>;            // as OpenGL calls it
-    { Target::to_unorm } -> std::convertible_to<const glsl::snippet*>;      // of integer channels; null: floats
-    { Target::load(typename Target::texel{}) } -> std::same_as<glm::vec4>;  // as sampled, absent channels 0
+    typename Target::texel;                                       // layout in memory
+    { Target::channels } -> std::convertible_to<int>;             // number of channels that a shader writes and reads
+    { Target::format } -> std::convertible_to<std::string_view>;  // OpenGL's name
+    {
+        Target::to_unorm
+        } -> std::convertible_to<const glsl::snippet*>;  // turns integer channels into values; null: floats
+    { Target::load(typename Target::texel{}) } -> std::same_as<glm::vec4>;  // as sampled; missing channels are 0
 };
 
-/// Floats, or a depth buffer of floats.
+/// Float target, or a float depth buffer.
 struct float_target {
     using texel = float;
     static constexpr int channels = 1;
@@ -44,14 +46,14 @@ struct float_target {
 
 namespace detail {
 
-/// Channels side by side. One is a number, not a vector.
+/// Texel of one or more channels. One channel is a number, not a vector.
 template <int Bits, int Channels>
 using unorm_texel = std::conditional_t<Channels == 1, unorm_channel<Bits>,
                                        glm::vec<(Channels > 1 ? Channels : 2), unorm_channel<Bits>>>;
 
 }  // namespace detail
 
-/// UNORM channels of 8 or 16 bits; 10 bits have the one form below.
+/// UNORM channels of 8 or 16 bits. For 10 bits there is only the form below.
 template <int Bits, int Channels>
 struct unorm_target {
     static_assert(Bits == 8 || Bits == 16, "of 10 bits a channel there is unorm_target<10, 3> alone");
@@ -61,6 +63,7 @@ struct unorm_target {
     static constexpr std::string_view format = formats[Bits == 16][Channels - 1];
     static constexpr const glsl::snippet* to_unorm = Bits == 16 ? &glsl::to_unorm16 : &glsl::to_unorm;
 
+    /// Texel that a UNORM store makes of the values.
     /// @param values   as a shader writes them
     template <class Values>
     [[nodiscard]] static constexpr texel store(Values values, unorm_store mode = {}) {
@@ -75,7 +78,7 @@ struct unorm_target {
     }
 };
 
-/// R10G10B10A2: three channels of ten bits in a word, R in the lowest. Alpha is 1.
+/// R10G10B10A2: three 10-bit channels in a word, R in the lowest bits. Alpha is 1.
 template <>
 struct unorm_target<10, 3> {
     using texel = std::uint32_t;

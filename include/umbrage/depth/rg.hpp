@@ -2,7 +2,7 @@
 //
 // Depth in two 8-bit channels, 9 to 16 bits: the layout of the Radeon 8500 shadow map sample and its family.
 // x has Bits = 8 + M bits:  R = low byte,  G = high bits, moved to the top of their byte,  value = R / 2^M + G.
-// Bits = 11 is the sample's own; Bits = 16 is plain two-byte depth.
+// The sample has Bits = 11. Bits = 16 is plain two-byte depth.
 //
 //     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
 //     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
@@ -23,13 +23,15 @@
 
 namespace umbrage {
 
-/// Depth to channels.
+/// Channels from a depth.
 ///
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
-/// @return        integer channels 0..255; to_unorm makes them what a shader writes
-/// @formula       x = min(floor(depth 2^Bits), 2^Bits - 1);  R = x mod 256, G = floor(x / 256) 2^(16 - Bits)
-/// @exactness     A
-/// @cite          ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
+/// @param depth     in [0, 1]; clamped
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
+/// @return          integer channels 0..255; to_unorm turns them into values that a shader writes
+/// @edge            NaN: as cleared
+/// @formula         x = min(floor(depth 2^Bits), 2^Bits - 1);  R = x mod 256, G = floor(x / 256) 2^(16 - Bits)
+/// @exactness       A
+/// @cite            ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
 template <int Bits, real T>
 [[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth, T cleared = T(1)) {
     static_assert(Bits >= 9 && Bits <= 16);
@@ -37,11 +39,12 @@ template <int Bits, real T>
     return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
 }
 
-/// Values read from an 8-bit texture to depth.
+/// Depth from values read from an 8-bit texture.
 ///
-/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, center or upper_edge of the code's interval
-/// @return        depth; channels that no encoder wrote give the formula's value all the same, below 3/2
+/// @param c       as sampled, k / 255. Any rounding of that quotient gives the same depth
+/// @param edge    lower_edge, center or upper_edge of the quantization step
+/// @return        depth
+/// @edge          channels that no encoder wrote: the value of the formula, below 3/2
 /// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the center
 template <int Bits, real T>
@@ -51,7 +54,7 @@ template <int Bits, real T>
     return from_code<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
 }
 
-/// Bytes to depth.
+/// Depth from bytes.
 template <int Bits, real T>
 [[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
@@ -65,8 +68,8 @@ inline constexpr detail::short_name encode_rg_name("encode_rg$b", {{'b', Bits}})
 template <int Bits>
 [[nodiscard]] std::string encode_rg_text() {
     return detail::filled(R"GLSL(
-// umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg$b: two channels of a $b-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
@@ -77,7 +80,7 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
 }
 template <int Bits>
 inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
-                                   .summary = "depth to two channels, R the low byte",
+                                   .summary = "depth to two 8-bit channels, R the low byte",
                                    .exactness = tier::a,
                                    .needs = list<&saturate>,
                                    .source = encode_rg_text<Bits>};
@@ -87,8 +90,8 @@ inline constexpr detail::short_name decode_rg_name("decode_rg$b", {{'b', Bits}})
 template <int Bits>
 [[nodiscard]] std::string decode_rg_text() {
     return detail::filled(R"GLSL(
-// umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg$b: depth from the two channels of a $b-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
@@ -98,14 +101,14 @@ UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
 }
 template <int Bits>
 inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
-                                   .summary = "two channels, R the low byte, to depth",
+                                   .summary = "two 8-bit channels, R the low byte, to depth",
                                    .exactness = tier::a,
                                    .needs = list<&from_unorm>,
                                    .source = decode_rg_text<Bits>};
 
 }  // namespace glsl
 
-/// The encoding as a value.
+/// Two-channel encoding as a value.
 template <int Bits>
 struct rg {
     using target = unorm_target<8, 2>;
@@ -120,7 +123,7 @@ struct rg {
     static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
 
     depth_direction direction = depth_direction::forward;
-    float edge = detail::safe_edge(direction);  ///< that decoding answers
+    float edge = detail::safe_edge(direction);  ///< depth that a code decodes to: lower_edge, center or upper_edge
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }

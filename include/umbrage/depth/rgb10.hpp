@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Depth in the three 10-bit channels of an R10G10B10A2 target, 24 bits, R most significant.
+// Depth in the three 10-bit channels of an R10G10B10A2 target: 24 bits, R most significant.
 //
 //     glm::u16vec3 channels = umbrage::encode_rgb10(depth);
 //     float stored = umbrage::decode_rgb10(channels, umbrage::upper_edge<float>);
@@ -17,12 +17,14 @@
 
 namespace umbrage {
 
-/// Depth to channels.
+/// Channels from a depth.
 ///
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
-/// @return        integer channels 0..1023, R most significant; B holds the last four bits in its high bits
-/// @formula       10, 10 and 4 bits of min(floor(depth 2^24), 2^24 - 1), the last times 64
-/// @exactness     A
+/// @param depth     in [0, 1]; clamped
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
+/// @return          integer channels 0..1023, R most significant; B holds the last four bits in its high bits
+/// @edge            NaN: as cleared
+/// @formula         10, 10 and 4 bits of min(floor(depth 2^24), 2^24 - 1), the last times 64
+/// @exactness       A
 template <real T>
 [[nodiscard]] constexpr glm::u16vec3 encode_rgb10(T depth, T cleared = T(1)) {
     const std::uint32_t x = to_code<24>(depth, cleared);
@@ -30,10 +32,10 @@ template <real T>
             static_cast<std::uint16_t>((x & 15) << 6)};
 }
 
-/// Values read from a 10-bit texture to depth.
+/// Depth from values read from a 10-bit texture.
 ///
-/// @param c       as sampled, k / 1023; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge; the center is exact in double only
+/// @param c       as sampled, k / 1023. Any rounding of that quotient gives the same depth
+/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only
 /// @formula       (16384 R + 16 G + floor(B / 64) + edge) 2^-24, with R, G, B = floor(1023 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-24
 template <real T>
@@ -42,7 +44,7 @@ template <real T>
     return from_code<24>((k.x * T(1024) + k.y) * T(16) + std::floor(k.z * T(1.0 / 64.0)), edge);
 }
 
-/// Channels to depth.
+/// Depth from channels.
 template <real T>
 [[nodiscard]] constexpr T decode_rgb10(glm::u16vec3 k, T edge) {
     return from_code<24>(T((std::uint32_t(k.x) << 14) + (std::uint32_t(k.y) << 4) + (k.z >> 6)), edge);
@@ -56,9 +58,9 @@ inline constexpr snippet encode_rgb10{
     .exactness = tier::a,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
-// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rgb10: three channels of a depth, R most significant, integers 0..1023 for umbrage_to_unorm10
+// The last four bits are the high ones of B, so a target cleared to white is at the far plane
+//   depth   clamped to [0, 1]. NaN counts as far
 UMBRAGE_HIGHP vec3 umbrage_encode_rgb10(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 16384.0));
@@ -76,8 +78,8 @@ inline constexpr snippet decode_rgb10{
     .exactness = tier::a,
     .needs = list<&from_unorm10>,
     .source = R"GLSL(
-// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+// umbrage_decode_rgb10: depth from three 10-bit channels, as sampled
+//   edge   0.0 or 1.0: lower or upper edge of the quantization step
 UMBRAGE_HIGHP float umbrage_decode_rgb10(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec3 k = umbrage_from_unorm10(c);
     return ((k.x * 1024.0 + k.y) * 16.0 + floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);
@@ -87,7 +89,7 @@ UMBRAGE_HIGHP float umbrage_decode_rgb10(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 
 }  // namespace glsl
 
-/// The encoding as a value.
+/// 10-bit encoding as a value.
 struct rgb10 {
     using target = unorm_target<10, 3>;
     using texel = target::texel;
@@ -100,7 +102,7 @@ struct rgb10 {
     static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
 
     depth_direction direction = depth_direction::forward;
-    float edge = detail::safe_edge(direction);  ///< that decoding answers; the center rounds from code 2^23 on
+    float edge = detail::safe_edge(direction);  ///< depth that a code decodes to; the center rounds from code 2^23 on
 
     [[nodiscard]] constexpr texel encode(float depth) const {
         return target::packed(encode_rgb10(depth, cleared_depth(direction)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Depth in three 8-bit channels, 24 bits, R most significant.
+// Depth in three 8-bit channels: 24 bits, R most significant.
 //
 //     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
 //     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
@@ -17,12 +17,14 @@
 
 namespace umbrage {
 
-/// Depth to channels.
+/// Channels from a depth.
 ///
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
-/// @return        integer channels 0..255, R most significant
-/// @formula       the bytes of min(floor(depth 2^24), 2^24 - 1)
-/// @exactness     A
+/// @param depth     in [0, 1]; clamped
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
+/// @return          integer channels 0..255, R most significant
+/// @edge            NaN: as cleared
+/// @formula         the bytes of min(floor(depth 2^24), 2^24 - 1)
+/// @exactness       A
 template <real T>
 [[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth, T cleared = T(1)) {
     const std::uint32_t x = to_code<24>(depth, cleared);
@@ -30,10 +32,10 @@ template <real T>
             static_cast<std::uint8_t>(x & 0xFF)};
 }
 
-/// Values read from an 8-bit texture to depth.
+/// Depth from values read from an 8-bit texture.
 ///
-/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge; the center is exact in double only
+/// @param c       as sampled, k / 255. Any rounding of that quotient gives the same depth
+/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only
 /// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-24
 template <real T>
@@ -42,7 +44,7 @@ template <real T>
     return from_code<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
 }
 
-/// Bytes to depth.
+/// Depth from bytes.
 template <real T>
 [[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
     return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
@@ -52,12 +54,12 @@ namespace glsl {
 
 inline constexpr snippet encode_rgb24{
     .name = "encode_rgb24",
-    .summary = "depth to three channels, R most significant",
+    .summary = "depth to three 8-bit channels, R most significant",
     .exactness = tier::a,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rgb24: three channels of a depth, R most significant, integers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1]. NaN counts as far
 UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
@@ -70,12 +72,12 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet decode_rgb24{
     .name = "decode_rgb24",
-    .summary = "three channels, R most significant, to depth",
+    .summary = "three 8-bit channels, R most significant, to depth",
     .exactness = tier::a,
     .needs = list<&from_unorm>,
     .source = R"GLSL(
-// umbrage_decode_rgb24: three channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+// umbrage_decode_rgb24: depth from three channels, as sampled
+//   edge   0.0 or 1.0: lower or upper edge of the quantization step
 UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
@@ -85,7 +87,7 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 
 }  // namespace glsl
 
-/// The encoding as a value.
+/// 24-bit encoding as a value.
 struct rgb24 {
     using target = unorm_target<8, 3>;
     using texel = target::texel;
@@ -98,7 +100,7 @@ struct rgb24 {
     static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
 
     depth_direction direction = depth_direction::forward;
-    float edge = detail::safe_edge(direction);  ///< that decoding answers; the center rounds from code 2^23 on
+    float edge = detail::safe_edge(direction);  ///< depth that a code decodes to; the center rounds from code 2^23 on
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The RGBA format of Aras Pranckevicius, base 255, as Cesium, Babylon.js and bgfx use it, to read and write such maps.
+// Base-255 RGBA packing by Aras Pranckevicius, to read and write the maps of Cesium, Babylon.js and bgfx.
 //
 //     float stored = umbrage::decode_base255(umbrage::load_unorm(texel));
 //
-// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error
-// is up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left
-// is the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighboring floats decode 1 ulp out
-// of it.
+// Below 1.0 the largest error is 2^-23 (1.2e-7). The format has two faults: 1.0 decodes to 0, and a store that
+// truncates makes errors up to 2^-7.98 (4e-3), where nearby depths change their order. The repaired writer has neither
+// fault, and works with the same reader. Only the reader's rounding remains. Depths k / 2^24 keep their order. Two
+// pairs of other neighboring floats decode out of order, by 1 ulp.
+// Also called: EncodeFloatRGBA, packDepth.
 //
 #pragma once
 
@@ -23,11 +24,14 @@
 
 namespace umbrage {
 
-/// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, a fault
-/// @return        UNORM values
-/// @formula       e_i = fract(255^i depth), each less 1/255 of the next
-/// @exactness     B, n = 6: S is at most 4 255^i depth, as fract is v - floor(v)
-/// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
+/// Values of a depth in base-255 RGBA.
+/// @param depth     in [0, 1]; clamped
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
+/// @return          UNORM values
+/// @edge            1 decodes to 0, a fault of the format. NaN: as cleared
+/// @formula         e_i = fract(255^i depth), each minus 1/255 of the next
+/// @exactness       B, n = 6: S is at most 4 255^i depth, as fract is v - floor(v)
+/// @cite            Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_base255(T depth, T cleared = T(1)) {
     const T v = saturate(depth, cleared);
@@ -39,6 +43,7 @@ template <real T>
     return {x - y * step, y - z * step, z - w * step, w};
 }
 
+/// Depth from base-255 RGBA.
 /// @param c      as sampled
 /// @formula      R + G/255 + B/255^2 + A/255^3
 /// @exactness    B, n = 6
@@ -47,9 +52,9 @@ template <real T>
     return c.x + c.y * T(1.0 / 255.0) + c.z * T(1.0 / 65025.0) + c.w * T(1.0 / 16581375.0);
 }
 
-/// A writer without the faults, for decode_base255 on the other side: the digits of depth in base 255.
+/// Channels for readers of base-255 RGBA, without the faults: the digits of depth in base 255.
 /// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
-/// @exactness     B, n = 7: S of what makes digit i by its floor is at most 255 510^i depth
+/// @exactness     B, n = 7: S of the sum whose floor is digit i is at most 255 510^i depth
 template <real T>
 [[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T cleared = T(1)) {
     T rest = saturate(depth, cleared) * T(255);
@@ -66,13 +71,13 @@ namespace glsl {
 
 inline constexpr snippet write_base255{
     .name = "write_base255",
-    .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
+    .summary = "depth to base-255 RGBA of Cesium, Babylon.js, bgfx",
     .exactness = tier::b,
     .operations = 6,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
-//   round: umbrage_encode_base255_repaired has neither fault
+// umbrage_write_base255: base-255 RGBA of a depth, values to write as they are. The store must round
+// 1.0 reads back as 0.0. umbrage_encode_base255_repaired has neither fault
 UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
@@ -90,7 +95,7 @@ inline constexpr snippet decode_base255{
     .exactness = tier::b,
     .operations = 6,
     .source = R"GLSL(
-// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+// umbrage_decode_base255: depth from base-255 RGBA, as sampled
 UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
         c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
@@ -101,13 +106,13 @@ UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
 
 inline constexpr snippet encode_base255_repaired{
     .name = "encode_base255_repaired",
-    .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
+    .summary = "depth to base-255 RGBA without its faults",
     .exactness = tier::b,
     .operations = 7,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
+// umbrage_encode_base255_repaired: channels of a depth for readers of base-255 RGBA. 1.0 decodes to 1.0
+//   Returns integers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = umbrage_saturate(depth) * 255.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (x - floor(x)) * 255.0;
@@ -120,7 +125,7 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 
 }  // namespace glsl
 
-/// The format as a value, faults and all; the store rounds. An empty map is cleared to what decodes to 1.
+/// Base-255 format as a value, with its faults. The store rounds. An empty map is cleared to texels that decode to 1.
 struct base255 {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
@@ -134,7 +139,7 @@ struct base255 {
 
     depth_direction direction = depth_direction::forward;
 
-    /// The writer's values.
+    /// Values that the writer returns.
     [[nodiscard]] auto write(float depth) const { return write_base255(depth, cleared_depth(direction)); }
     [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
     [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm(t)); }
@@ -147,7 +152,7 @@ struct base255 {
     }
 };
 
-/// The same, written without the faults.
+/// Base-255 format as a value, written without the faults.
 struct base255_repaired {
     using target = unorm_target<8, 4>;
     using texel = target::texel;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The depth formats of three.js, r167 and later, to read and write its maps: RGBA, RGB and RG. Writers give UNORM
-// values as three.js does; what the 8-bit store makes of the channel that holds a fraction is part of the format.
+// Depth formats of three.js r167 and later (RGBA, RGB, RG), to read and write its maps. Writers return UNORM values, as
+// in three.js. The last channel holds a fraction, and how an 8-bit store rounds it is part of the format.
 //
 //     glm::u8vec4 texel = umbrage::store_unorm(umbrage::write_threejs_rgba(depth));
 //     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm(texel));
 //
-// Worst error of any binary32 depth, as measured by the tests:
+// Largest error of any 32-bit float depth, measured by the tests:
 //
 //     format   store rounds   store truncates
 //     rgba     2^-32          2^-31.99
@@ -28,11 +28,13 @@
 
 namespace umbrage {
 
-/// Three whole bytes, R most significant, and the fraction that is left in A.
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed; 1 gives all ones
-/// @return        UNORM values
-/// @exactness     B, n = 5: S = R, G, at most 3/255 2^24 depth for B; A is exact
-/// @cite          three.js r167 and later, packing chunk (format)
+/// Values of a depth in RGBA: three bytes, R most significant, and the remaining fraction in A.
+/// @param depth     in [0, 1]; clamped
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
+/// @return          UNORM values
+/// @edge            1: all ones. NaN: as cleared
+/// @exactness       B, n = 5: S = R, G, at most 3/255 2^24 depth for B; A is exact
+/// @cite            three.js r167 and later, packing chunk (format)
 template <real T>
 [[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T cleared = T(1)) {
     const T v = saturate(depth, cleared);
@@ -45,6 +47,7 @@ template <real T>
     return {high * T(1.0 / 255.0), middle * T(1.0 / 255.0), (rest - middle * T(256)) * T(1.0 / 255.0), x - whole};
 }
 
+/// Depth from RGBA.
 /// @param c      as sampled
 /// @formula      255/256 (R + G/2^8 + B/2^16) + A/2^24
 /// @exactness    B, n = 7
@@ -53,7 +56,7 @@ template <real T>
     return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
 }
 
-/// Two whole bytes and the fraction that is left in B.
+/// Values of a depth in RGB: two bytes, R most significant, and the remaining fraction in B.
 /// @exactness    B, n = 3: S = R, at most 2/255 2^16 depth for G; B is exact
 /// @cite         three.js r167 and later (format)
 template <real T>
@@ -66,6 +69,7 @@ template <real T>
     return {high * T(1.0 / 255.0), (whole - high * T(256)) * T(1.0 / 255.0), x - whole};
 }
 
+/// Depth from RGB.
 /// @formula      255/256 (R + G/2^8) + B/2^16
 /// @exactness    B, n = 5
 template <real T>
@@ -73,7 +77,7 @@ template <real T>
     return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(1.0 / 65536.0);
 }
 
-/// One whole byte and the fraction that is left in G.
+/// Values of a depth in RG: one byte in R, and the remaining fraction in G.
 /// @exactness    B, n = 1: S = R; G is exact
 /// @cite         three.js r167 and later (format)
 template <real T>
@@ -85,6 +89,7 @@ template <real T>
     return {whole * T(1.0 / 255.0), x - whole};
 }
 
+/// Depth from RG.
 /// @formula      255/256 R + G/2^8
 /// @exactness    B, n = 3
 template <real T>
@@ -101,7 +106,7 @@ inline constexpr snippet write_threejs_rgba{
     .operations = 5,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+// umbrage_write_threejs_rgba: RGBA of a depth, as in three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
     UMBRAGE_HIGHP float x = v * 16777216.0;
@@ -122,7 +127,7 @@ inline constexpr snippet decode_threejs_rgba{
     .exactness = tier::b,
     .operations = 7,
     .source = R"GLSL(
-// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rgba: depth from the RGBA format of three.js r167 and later, as sampled
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) +
                                                 c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
@@ -138,7 +143,7 @@ inline constexpr snippet write_threejs_rgb{
     .operations = 3,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+// umbrage_write_threejs_rgb: RGB of a depth, as in three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
     UMBRAGE_HIGHP float x = v * 65536.0;
@@ -156,7 +161,7 @@ inline constexpr snippet decode_threejs_rgb{
     .exactness = tier::b,
     .operations = 5,
     .source = R"GLSL(
-// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rgb: depth from the RGB format of three.js r167 and later, as sampled
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
         c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
@@ -172,7 +177,7 @@ inline constexpr snippet write_threejs_rg{
     .operations = 1,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+// umbrage_write_threejs_rg: RG of a depth, as in three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
     UMBRAGE_HIGHP float x = v * 256.0;
@@ -188,7 +193,7 @@ inline constexpr snippet decode_threejs_rg{
     .exactness = tier::b,
     .operations = 3,
     .source = R"GLSL(
-// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rg: depth from the RG format of three.js r167 and later, as sampled
 UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
     return depth;
@@ -198,14 +203,14 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
 
 }  // namespace glsl
 
-// The formats as values; the store rounds.
+// Formats as values. The store rounds.
 
-/// RGBA, r167 and later.
+/// RGBA format of three.js r167 and later.
 struct threejs_rgba {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
     static constexpr std::string_view name = "threejs_rgba";
-    static constexpr std::string_view summary = "RGBA of three.js since r167: three whole bytes and the rest.";
+    static constexpr std::string_view summary = "RGBA of three.js since r167: three bytes and a fraction.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
     static constexpr store_format writes = store_format::values;
@@ -213,7 +218,7 @@ struct threejs_rgba {
 
     depth_direction direction = depth_direction::forward;
 
-    /// The writer's values.
+    /// Values that the writer returns.
     [[nodiscard]] auto write(float depth) const { return write_threejs_rgba(depth, cleared_depth(direction)); }
     [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
     [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm(t)); }
@@ -224,12 +229,12 @@ struct threejs_rgba {
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
 };
 
-/// RGB, r167 and later.
+/// RGB format of three.js r167 and later.
 struct threejs_rgb {
     using target = unorm_target<8, 3>;
     using texel = target::texel;
     static constexpr std::string_view name = "threejs_rgb";
-    static constexpr std::string_view summary = "RGB of three.js since r167: two whole bytes and the rest.";
+    static constexpr std::string_view summary = "RGB of three.js since r167: two bytes and a fraction.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
     static constexpr store_format writes = store_format::values;
@@ -237,7 +242,7 @@ struct threejs_rgb {
 
     depth_direction direction = depth_direction::forward;
 
-    /// The writer's values.
+    /// Values that the writer returns.
     [[nodiscard]] auto write(float depth) const { return write_threejs_rgb(depth, cleared_depth(direction)); }
     [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
     [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm(t)); }
@@ -248,12 +253,12 @@ struct threejs_rgb {
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
 };
 
-/// RG, r167 and later.
+/// RG format of three.js r167 and later.
 struct threejs_rg {
     using target = unorm_target<8, 2>;
     using texel = target::texel;
     static constexpr std::string_view name = "threejs_rg";
-    static constexpr std::string_view summary = "RG of three.js since r167: one whole byte and the rest.";
+    static constexpr std::string_view summary = "RG of three.js since r167: one byte and a fraction.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
     static constexpr store_format writes = store_format::values;
@@ -261,7 +266,7 @@ struct threejs_rg {
 
     depth_direction direction = depth_direction::forward;
 
-    /// The writer's values.
+    /// Values that the writer returns.
     [[nodiscard]] auto write(float depth) const { return write_threejs_rg(depth, cleared_depth(direction)); }
     [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
     [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm(t)); }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. What the
-// 8-bit store makes of the channel that holds a fraction is part of the format.
+// RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. One channel
+// holds a fraction, and how an 8-bit store rounds it is part of the format.
 //
 //     glm::u8vec4 texel = umbrage::store_unorm(umbrage::write_threejs_legacy(depth));
 //     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm(texel));
 //
-// Worst error of any binary32 depth, and the faults, as measured by the tests:
+// Largest error of any 32-bit float depth, and the faults, measured by the tests:
 //
 //     format             store rounds     store truncates   faults
-//     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below depths that come before it
+//     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below smaller depths
 //     legacy, repaired   2^-24            2^-24             none
 //
 #pragma once
@@ -25,8 +25,9 @@
 
 namespace umbrage {
 
-/// The layout of r73 to r166: A most significant, channels scaled by 256/255.
-/// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
+/// Values of a depth in the layout of r73 to r166: A most significant, channels scaled by 256/255.
+/// @return        UNORM values
+/// @edge          depth > 255/256: A exceeds 1, and the store clamps it. This is the format's fault
 /// @exactness     B, n = 7: S of R, G, B, A is at most 256/255 depth times 2^25, 2^18, 2^10, 3
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>
@@ -39,6 +40,7 @@ template <real T>
             (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0), (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
 }
 
+/// Depth from the layout of r73 to r166.
 /// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)
 /// @exactness    B, n = 7
 template <real T>
@@ -47,7 +49,7 @@ template <real T>
            c.w * T(255.0 / 256.0);
 }
 
-/// A writer without the fault, for decode_threejs_legacy on the other side: 24 bits, and 1 decodes to 1.
+/// Channels for readers of r73 to r166, without the fault: 24 bits, and 1 decodes to 1.
 /// @return        integer channels 0..255 (to_unorm writes them), A most significant
 /// @exactness     A
 template <real T>
@@ -68,8 +70,8 @@ inline constexpr snippet write_threejs_legacy{
     .operations = 7,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
-//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+// umbrage_write_threejs_legacy: RGBA of a depth, as in three.js r73 to r166, values to write as they are
+//   1.0 reads back as 255/256. umbrage_encode_threejs_legacy_repaired does not have this fault
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
     UMBRAGE_HIGHP float x = v * 16777216.0 - floor(v * 16777216.0);
@@ -87,7 +89,7 @@ inline constexpr snippet decode_threejs_legacy{
     .exactness = tier::b,
     .operations = 7,
     .source = R"GLSL(
-// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+// umbrage_decode_threejs_legacy: depth from the RGBA format of three.js r73 to r166, as sampled
 UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) +
                                                 c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
@@ -98,12 +100,12 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
 
 inline constexpr snippet encode_threejs_legacy_repaired{
     .name = "encode_threejs_legacy_repaired",
-    .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
+    .summary = "depth to three.js RGBA, r73 to r166, without its fault",
     .exactness = tier::a,
     .needs = list<&saturate>,
     .source = R"GLSL(
-// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
+// umbrage_encode_threejs_legacy_repaired: channels of a depth for readers of three.js r73 to r166. 1.0 decodes to 1.0
+//   Returns integers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
     UMBRAGE_HIGHP float x = floor(v * 16777216.0);
@@ -118,9 +120,10 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
 
 }  // namespace glsl
 
-// The formats as values; the store rounds.
+// Formats as values. The store rounds.
 
-/// RGBA, r73 to r166, fault and all: 1 decodes to 255/256. An empty map is cleared to what decodes to 1.
+/// RGBA format of r73 to r166, with its fault: 1 decodes to 255/256. An empty map is cleared to texels that decode to
+/// 1.
 struct threejs_legacy {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
@@ -134,7 +137,7 @@ struct threejs_legacy {
 
     depth_direction direction = depth_direction::forward;
 
-    /// The writer's values.
+    /// Values that the writer returns.
     [[nodiscard]] auto write(float depth) const { return write_threejs_legacy(depth, cleared_depth(direction)); }
     [[nodiscard]] texel encode(float depth) const { return store_unorm(write(depth)); }
     [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm(t)); }
@@ -144,7 +147,7 @@ struct threejs_legacy {
     [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255) : texel(0); }
 };
 
-/// RGBA for readers of r73 to r166, written without the fault.
+/// RGBA format for readers of r73 to r166, written without the fault.
 struct threejs_legacy_repaired {
     using target = unorm_target<8, 4>;
     using texel = target::texel;
