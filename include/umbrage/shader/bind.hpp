@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Snippets bound to maps, so that one shader holds maps of several kinds: functions under a suffix of each map's own.
+// Snippets bound to maps, so that one shader can sample several kinds of map. Each map's functions have its own suffix.
 //
 //     using namespace umbrage::glsl;
 //     std::string shader = source(version::v330, {bind(pcf_2x2, "sun", {.texture = texture::array}),
@@ -31,7 +31,7 @@ namespace detail {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// The text with each word replaced by replacement(word, in_comment).
+/// Text with each word replaced by replacement(word, in_comment).
 template <class Replacement>
 [[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
     std::string out;
@@ -50,7 +50,7 @@ template <class Replacement>
     return out;
 }
 
-/// Its words, but for those in comments.
+/// Words of a text, without those in comments.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view text) {
     std::vector<std::string_view> all;
@@ -68,7 +68,7 @@ template <class = umbrage::detail::on_use>
     return false;
 }
 
-/// Checks a part of an identifier: letters, digits, single underscores between them.
+/// True for a part of an identifier: letters, digits, single underscores between them.
 [[nodiscard]] constexpr bool is_part_of_identifier(std::string_view name) {
     char before = '_';
     for (const char c : name) {
@@ -78,7 +78,7 @@ template <class = umbrage::detail::on_use>
     return name.empty() || before != '_';
 }
 
-/// Checks that a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement.
+/// True for a text that can stand in an expression: one line, brackets in pairs, no comment, directive or statement.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool is_expression(std::string_view text) {
     std::string closing;
@@ -94,7 +94,7 @@ template <class = umbrage::detail::on_use>
     return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
 }
 
-/// Every hook that the snippet calls is one that the map can have.
+/// Checks that the map supports every hook that the snippet calls.
 template <class = umbrage::detail::on_use>
 void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
     const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
@@ -109,7 +109,8 @@ void check_hooks(const snippet& what, const snippet& asked, const binding& map) 
     for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
 }
 
-/// @throws std::invalid_argument   for what does not compile, whatever the language
+/// Checks a binding for what would not compile in any language.
+/// @throws std::invalid_argument   a name, map or snippet that do not fit together
 template <class = umbrage::detail::on_use>
 void check(const snippet& what, std::string_view name, const binding& map) {
     umbrage::detail::require(is_part_of_identifier(name), "glsl::bind", "name",
@@ -145,7 +146,7 @@ void check(const snippet& what, std::string_view name, const binding& map) {
 
 }  // namespace detail
 
-/// A text made where it is bound, and what it calls.
+/// Text made for one binding, and the snippets it calls.
 struct own_text {
     std::string name, source;
     std::vector<const snippet*> needs{};
@@ -153,12 +154,12 @@ struct own_text {
 
 namespace detail {
 
-/// Own texts as snippets, of which each may call those before it; they last as long as the texts and this.
+/// Own texts as snippets. Each may call those before it. They are valid as long as the texts and this object.
 class own_snippets {
 public:
     template <class = umbrage::detail::on_use>
     explicit own_snippets(const std::vector<own_text>& texts) : needs_(texts.size()) {
-        all_.reserve(texts.size());  // which are pointed to
+        all_.reserve(texts.size());  // reserved: the elements are pointed to
         for (std::size_t i = 0; i < texts.size(); ++i) {
             needs_[i] = texts[i].needs;
             for (const snippet& before : all_) needs_[i].push_back(&before);
@@ -177,13 +178,13 @@ private:
 
 }  // namespace detail
 
-/// A snippet and the map that it is for; a snippet alone is bind(snippet, "", {}), for a 2D texture of depths.
+/// Snippet and the map that it is bound to. A snippet without a binding is bind(snippet, "", {}): a 2D depth texture.
 struct bound {
     snippet what;
     std::string suffix{};
     binding map{};
-    std::optional<shader_interface> declared{};  ///< of a shadow: what the text declares for it,
-    std::vector<own_text> texts{};               ///< and its functions; `what` only names it
+    std::optional<shader_interface> declared{};  ///< for a shadow: declarations of the text,
+    std::vector<own_text> texts{};               ///< and its functions. `what` then only names it
 
     template <class = umbrage::detail::on_use>
     bound(const snippet& s) : what(s) {}
@@ -194,9 +195,9 @@ struct bound {
     }
 };
 
-/// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
-/// @param name   letters, digits, single underscores between them
-/// @throws std::invalid_argument   another name; a map that cannot have what is asked of it
+/// Snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
+/// @param name   letters, digits, single underscores between them; may be empty
+/// @throws std::invalid_argument   another name; a map that does not support what the snippet needs
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
     detail::check(what, name, map);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a map is to shaders: what its texels lie in, how they become depths, how they compare.
+// Description of a shadow map for shaders: its texture type, the conversion of texels to depths, and the comparison.
 //
 //     using namespace umbrage::glsl;
 //     const binding cascades{.texture = texture::array};
@@ -19,49 +19,50 @@
 
 namespace umbrage::glsl {
 
-/// What a map's texels lie in, and so what functions that take a map are called with first; here in GLSL's words:
-///   texture_2d             sampler2D map: depths, or values that `depth` makes depths of
-///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller gives
+/// Texture type of a map. It decides the first parameters of functions that take the map, given here in GLSL:
+///   texture_2d             sampler2D map: depths, or values that `depth` converts to depths
+///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller passes
 ///   array                  sampler2DArray map, float layer
 ///   cube                   samplerCube map, float face: one face of cube_map.hpp, filtered within itself
-///   cube_faces             samplerCube map: its faces as the tiles of an atlas, for pcf_2x2_cube, to which the size is
-///                          that of the atlas then, (3, 2) times a face's
-///   integer                usampler2D map: the value is the whole number, exact up to 2^24
-///   depth, depth_array     depth textures that are read as they are; in GLSL texture_2d and array
-///   shadow, shadow_array   comparison samplers, sampler2DShadow map: they compare themselves, in the direction that
-///                          they were set to; a filter that needs depths cannot be bound to them
-/// Samplers clamp to the edge and take the nearest texel, but for pcf_2x2_hardware and window_hardware. A depth texture
-/// of floats gives the plain form's bits. Where its depths are whole numbers, a sampler compares with the receiver as
-/// one from 0 to 1: filters give the same all the same, as they light what is beyond the far plane; lit() alone does
-/// not.
+///   cube_faces             samplerCube map: its faces as tiles of an atlas, for pcf_2x2_cube. The size is then that of
+///                          the atlas, (3, 2) times a face's
+///   integer                usampler2D map: the depth is the integer, exact up to 2^24
+///   depth, depth_array     depth textures that are read without comparison. In GLSL the same as texture_2d and array
+///   shadow, shadow_array   comparison samplers, sampler2DShadow map. Set the direction of comparison on the sampler. A
+///                          filter that needs depths cannot be bound to them
+///
+/// Samplers must clamp to the edge and read the nearest texel, except for pcf_2x2_hardware and window_hardware. A float
+/// depth texture gives the same bits as the plain form. With integer depths, a sampler clamps the receiver to [0, 1]
+/// before it compares. Filters give the same bits even then, since they light receivers beyond the far plane. lit()
+/// alone does not.
 enum class texture { texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array };
 
-/// A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language.
+/// Shadow map for shaders: its texels, and how they compare. Texts in it are in the shader's language.
 struct binding {
     glsl::texture texture = glsl::texture::texture_2d;
     depth_direction direction = depth_direction::forward;
     std::optional<outside_map> outside{};  ///< none: bordered, but clamped for tiles, regions and faces of cubes
-    bool gather = false;    ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
-                            ///< edge, but for regions
-    std::string depth{};    ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x. Where
-                            ///< nothing is gathered also of vec2 `texel`, the number that was asked for
-    int channels = 1;       ///< how many of `value` it reads
-    std::string compare{};  ///< of `receiver` and `stored`, as "exp(40.0 * (stored - receiver))"; 1.0 is lit. Empty:
-                            ///< by direction. With one's own no receiver is beyond the far plane
-    bool receiver_plane = false;   ///< moves each depth along the receiver's plane (apply_receiver_plane): functions
-                                   ///< take two vec2 behind the map, the plane's slope and the receiver's coordinate.
-                                   ///< Not where texels are gathered or compared by the sampler
+    bool gather = false;    ///< reads 2x2 texels at once, and depths at points, with a sampler. It must clamp to the
+                            ///< edge, except for regions
+    std::string depth{};    ///< depth from vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x.
+                            ///< Without gather it may use vec2 `texel`, the index of the texel
+    int channels = 1;       ///< number of channels of `value` that `depth` reads
+    std::string compare{};  ///< "exp(40.0 * (stored - receiver))", for example: 1.0 is lit. Empty: by
+                            ///< direction. With an own comparison no receiver is beyond the far plane
+    bool receiver_plane = false;   ///< moves each depth along the receiver's plane (apply_receiver_plane). Functions
+                                   ///< take two vec2 after the map: the plane's slope and the receiver's coordinate.
+                                   ///< Not with gather or a comparison sampler
     std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
     std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
-    std::string parameters{};      ///< in place of the kind's: what stands for the map in declarations,
-    std::string arguments{};       ///< in calls,
-    std::string texel{};           ///< and as value, a vec4, of the texture at `at`, a vec2 of whole numbers
-    std::vector<snippet> needs{};  ///< what these texts call
+    std::string parameters{};      ///< replaces the texture type's words: the map's parameters in declarations,
+    std::string arguments{};       ///< its arguments in calls,
+    std::string texel{};           ///< and a vec4 expression that reads the texture at `at`, a vec2 of integers
+    std::vector<snippet> needs{};  ///< snippets that these texts call
 
     friend bool operator==(const binding&, const binding&) = default;
 };
 
-/// The map that an encoding's texels make, in place of `map`'s depth and direction.
+/// Binding of a map in an encoding: replaces `map`'s depth and direction.
 template <known_encoding Encoding>
 [[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
     map.direction = encoding.direction;

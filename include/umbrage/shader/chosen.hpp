@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which function a map has for each hook.
+// Choice of the function that a map has for each hook.
 //
 #pragma once
 
@@ -14,12 +14,12 @@ namespace umbrage::glsl::detail {
 
 [[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
 [[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
-/// Whether texels outside the map count as the far plane.
+/// True when texels outside the map count as the far plane.
 [[nodiscard]] inline bool is_bordered(const binding& b) {
     const bool tile = has_region(b) || is_cube(b.texture);
     return b.outside.value_or(tile ? outside_map::clamped : outside_map::bordered) == outside_map::bordered;
 }
-/// Tells whether the map's depths have a scale of their own, on which 1 is not the far plane.
+/// True when the map's depths have their own scale, on which 1 is not the far plane.
 [[nodiscard]] inline bool is_scaled(const binding& b) {
     for (const snippet& need : b.needs)
         if (need.scaled) return true;
@@ -28,10 +28,10 @@ namespace umbrage::glsl::detail {
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
 
-/// Tells whether receivers can lie beyond the map's far plane. A user's own comparison handles them itself.
+/// True when receivers can be beyond the map's far plane. A user's own comparison handles them itself.
 [[nodiscard]] inline bool has_far_plane(const binding& b) { return b.compare.empty() && !is_scaled(b); }
 
-/// The function that a map has in place of a hook's own text; other snippets as they are.
+/// Function that a map has instead of a hook's own text. Returns other snippets unchanged.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
     const bool forward = b.direction == depth_direction::forward;
@@ -72,7 +72,7 @@ template <class = umbrage::detail::on_use>
     return s;
 }
 
-/// Whether a snippet is a hook of these roles, or calls one.
+/// True when a snippet is a hook of these roles, or calls one.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool calls(const snippet& s, hook first, hook last) {
     for (const snippet* need : s.needs)
@@ -80,13 +80,13 @@ template <class = umbrage::detail::on_use>
     return first <= s.role && s.role <= last;
 }
 
-/// Whether a snippet's functions are a map's own.
+/// True when a snippet's functions belong to a map.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool is_of_map(const snippet& s) {
     return calls(s, hook::map_covers, hook::chosen);
 }
 
-/// Whether a snippet reads its map.
+/// True when a snippet reads its map.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool reads_map(const snippet& s) {
     return calls(s, hook::texel, hook::depth_at);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How bound snippets become one text, in any language: everything once and after what it needs.
+// Composition of bound snippets into one text, in any language: each part once, after what it needs.
 //
 #pragma once
 
@@ -20,20 +20,20 @@
 
 namespace umbrage::glsl::detail {
 
-/// What there is to know of a language.
+/// Description of a shader language.
 struct language {
-    std::string_view prelude;  ///< what every text begins with
+    std::string_view prelude;  ///< first lines of every text
     texture_words (*texture)(glsl::texture kind);
-    std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
-    std::string_view receiver_plane;             ///< declares receiver_slope and receiver_coord
-    std::string_view may_reorder{};              ///< its name if compilers may fuse or reorder sums; else empty
-    bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
-    std::string_view function = "glsl::text";    ///< that a user calls
+    std::string (*translate)(const snippet& s);  ///< a snippet's text, with the words that a map fills in
+    std::string_view receiver_plane;             ///< declarations of receiver_slope and receiver_coord
+    std::string_view may_reorder{};  ///< the language's name if compilers may fuse or reorder sums; else empty
+    bool preprocessor = true;        ///< guards parts against being pasted twice
+    std::string_view function = "glsl::text";  ///< function that the user called
     std::string (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
-    std::optional<version> dialect{};  ///< GLSL's, where it is known
+    std::optional<version> dialect{};  ///< GLSL version, where it is known
 };
 
-/// One text in the making.
+/// Text under construction.
 template <class = umbrage::detail::on_use>
 class composition {
 public:
@@ -60,7 +60,7 @@ public:
         return std::move(text_);
     }
 
-    /// Parts of the text that are below tier A, each with its own bound.
+    /// Parts of the text below tier A, each with its own bound.
     [[nodiscard]] std::vector<snippet> inexact() && {
         std::vector<snippet> all;
         for_each([&](const snippet& s, const bound&, const std::string&) {
@@ -69,7 +69,7 @@ public:
         return all;
     }
 
-    /// The worst promise of what the text holds.
+    /// Weakest guarantee of any part of the text.
     [[nodiscard]] snippet worst() && {
         snippet all{.name = {}, .source = ""};
         for_each([&](const snippet& s, const bound&, const std::string&) {
@@ -86,8 +86,8 @@ private:
         std::string what, suffix, guard;
     };
 
-    /// Calls use(snippet, item, guard) for each part of the text, in order. What belongs to no map comes first: hooks
-    /// may call it, whatever the order of the items.
+    /// Calls use(snippet, item, guard) for each part of the text, in order. Parts that belong to no map come first, in
+    /// any order of the items, since hooks may call them.
     template <class Part>
     void for_each(const Part& use) {
         for (const bool of_map : {false, true})
@@ -118,20 +118,20 @@ private:
         done_.push_back({std::string(s.name), suffix, std::move(guard)});
     }
 
-    /// What declares the receiver's plane behind the map; nothing in own texts, which make it.
+    /// Declaration of the receiver's plane after the map. Empty in own texts, which compute it.
     [[nodiscard]] std::string_view plane_of(const snippet& s, const bound& item) const {
         bool given = item.map.receiver_plane;
         for (const own_text& own : item.texts) given = given && own.name != s.name;
         return given ? language_.receiver_plane : std::string_view();
     }
 
-    /// A shadow's block, map and function, behind all that it calls.
+    /// Declares a shadow's block, map and function, after all that they call.
     void declare(const bound& item) {
         const shader_interface& i = *item.declared;
         umbrage::detail::require(language_.declare != nullptr, language_.function, "version",
                                  "given for a shadow's uniforms", "none");
         for (const interface_function& f : i.functions) {
-            const std::string name = name_of(i, f).substr(8);  // behind umbrage_
+            const std::string name = name_of(i, f).substr(8);  // without umbrage_
             for (const part& done : done_)
                 if (done.what + done.suffix == name)
                     umbrage::detail::refuse(language_.function, "name",
@@ -149,7 +149,7 @@ private:
         text_ += language_.declare(i, map, language_.dialect.value_or(version::vulkan));
     }
 
-    /// Tells whether the item prints functions that belong to its map.
+    /// True when the item prints functions that belong to its map.
     [[nodiscard]] static bool has_map(const bound& item) {
         for (const snippet& need : item.map.needs)
             if (is_of_map(need)) return true;
@@ -162,7 +162,7 @@ private:
     std::vector<part> done_;
 };
 
-/// Lines of comment that bound what each function returns; none for a text of tier A.
+/// Comment lines that bound the result of each function. Empty for a text of tier A.
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string bounds_note(const language& l, const std::vector<bound>& items) {
     std::string lines;
@@ -173,7 +173,7 @@ template <class Use = umbrage::detail::on_use>
             if (lines.find(line) == lines.npos) lines += line;
         };
         const snippet worst = composition<Use>(l, {item}).worst();
-        if (item.declared)  // a chain, of which each part keeps its own bound
+        if (item.declared)  // a chain: each part keeps its own bound
             for (const snippet& part : composition<Use>(l, {item}).inexact()) add(std::string(part.name), part);
         else if (worst.exactness != tier::a) add(std::string(item.what.name) + item.suffix, worst);
     }
@@ -185,7 +185,7 @@ template <class Use = umbrage::detail::on_use>
     return "// " + std::string(l.may_reorder) + " lets compilers fuse or reorder sums.\n" + lines;
 }
 
-/// A line that names what follows, then it.
+/// Whole text: a title line with the names of its functions, then the functions.
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string compose(const language& l, const std::vector<bound>& items) {
     std::string title = "// umbrage " + std::to_string(UMBRAGE_VERSION_MAJOR) + '.' +

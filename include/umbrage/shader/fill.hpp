@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A snippet's text, in any language, with the words that a map fills in.
+// Text of a snippet, in any language, with the words that a map fills in.
 //
 #pragma once
 
@@ -17,22 +17,23 @@
 
 namespace umbrage::glsl::detail {
 
-/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
-/// 0 to 1.
+/// Words of a language for a texture type. Expressions read it at `at`, a vec2 of integers, or at `uv`, a vec2 from 0
+/// to 1.
 struct texture_words {
     std::string_view parameters, arguments;
-    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
-    std::string_view sampled{};                      ///< vec4 at `uv`
-    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
-    std::string_view gather_red{}, gather_green{};   ///< vec4
-    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
-    std::string_view size{};                         ///< of the texture: vec2
-    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
-    std::span<const snippet* const> needs{};         ///< what these words call
+    std::string_view texel{};                       ///< vec4; lines that begin with # replace the statement
+    std::string_view sampled{};                     ///< vec4 at `uv`
+    std::string_view lit{};                         ///< comparison of the sampler with `receiver`: float
+    std::string_view gather_red{}, gather_green{};  ///< vec4
+    std::string_view gather_lit{};                  ///< comparisons of the sampler with `receiver`: vec4
+    std::string_view lit_filtered{};                ///< comparisons around `uv`, weighted by the sampler: float
+    std::string_view size{};                        ///< size of the texture: vec2
+    std::string_view sampler{},
+        sampler_argument{};                   ///< sampler parameter after the first one, for gathers: ", sampler s"
+    std::span<const snippet* const> needs{};  ///< snippets that these words call
 };
 
-/// What a text calls its map: `map`, or `table`.
+/// Name of a text's map parameter: `map`, or `table`.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string name_of_map(std::string_view text) {
     const std::string_view type = "UMBRAGE_MAP ";
@@ -42,7 +43,7 @@ template <class = umbrage::detail::on_use>
     return std::string(text.substr(0, text.find_first_of(",)")));
 }
 
-/// A list's members: what commas part, but for those in brackets.
+/// Members of a list separated by commas. Commas in brackets do not count.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::vector<std::string_view> members(std::string_view list) {
     std::vector<std::string_view> all;
@@ -59,12 +60,12 @@ template <class = umbrage::detail::on_use>
     return all;
 }
 
-/// The names that parameters declare: `map` of "sampler2D map", of "map: texture_2d<f32>" and of "sampler2D map[4]".
+/// Names that parameters declare: `map` for "sampler2D map", "map: texture_2d<f32>" and "sampler2D map[4]".
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::vector<std::string_view> declared(std::string_view parameters) {
     std::vector<std::string_view> names;
     for (const std::string_view parameter : members(parameters)) {
-        std::size_t end = 0;  // of the name: a type may follow, or how many there are
+        std::size_t end = 0;  // end of the name: a type may follow, or a number of elements
         while (end < parameter.size() && parameter[end] != '[' && parameter[end] != ':')
             end += parameter.substr(end + 1).starts_with("::") ? 3 : 1;
         const auto all = words_of(parameter.substr(0, end));
@@ -73,7 +74,7 @@ template <class = umbrage::detail::on_use>
     return names;
 }
 
-/// Parameters that declare a map: the binding's own, or those of its kind of texture, with a sampler for gathers.
+/// Parameters that declare a map: the binding's own, or those of its texture type, with a sampler for gathers.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string parameters_of(const binding& map, const texture_words& words) {
     if (!map.parameters.empty()) return map.parameters;
@@ -82,7 +83,7 @@ template <class = umbrage::detail::on_use>
     return all;
 }
 
-/// The parameters but for those that a text declares itself: the layer, or the origin, of a map that it chooses.
+/// Parameters without those that a text declares itself: the layer, or the origin, of a map that it chooses.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string not_declared_in(std::string_view text, const std::string& parameters) {
     std::string rest;
@@ -94,9 +95,9 @@ template <class = umbrage::detail::on_use>
     return rest;
 }
 
-/// A snippet's text with what a map fills in.
-/// @param receiver_plane   what declares it behind the map
-/// @throws std::invalid_argument   own parameters that leave out what is read, or take a name that the text has
+/// Text of a snippet with the words that a map fills in.
+/// @param receiver_plane   declaration of the receiver's plane after the map
+/// @throws std::invalid_argument   own parameters that lack one that is read, or use a name of the text
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words,
                                   std::string_view receiver_plane = {}) {
@@ -105,7 +106,7 @@ template <class = umbrage::detail::on_use>
         return own.empty() ? std::string(ordinary) : own;
     };
     const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
-    // Farther than all where depths have a scale of their own.
+    // Farther than every depth where depths have their own scale.
     const std::string border = is_scaled(map) ? "65536.0" : map.direction == depth_direction::forward ? "1.0" : "0.0";
     const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
     const auto replace = [&](std::string_view what, std::string_view with) {
@@ -132,7 +133,7 @@ template <class = umbrage::detail::on_use>
         for (const std::string_view word : words_of(text))
             umbrage::detail::require(word == own_map || !contains(names, word), "glsl::bind", "map.parameters",
                                      "named otherwise than what umbrage_" + std::string(s.name) + " names", word);
-    /// A language's own words, whose arguments the map's own parameters declare too.
+    /// Words of the language. The map's own parameters must declare their arguments too.
     const auto ours = [&](std::string_view expression) {
         for (const std::string_view word : words_of(expression))
             umbrage::detail::require(!contains(words_of(ordinary), word) || contains(names, word), "glsl::bind",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Snippets as GLSL: text to paste, or the beginning of a shader.
+// GLSL text of snippets: functions to paste, or the beginning of a shader.
 //
 //     std::string shader = umbrage::glsl::source(umbrage::glsl::version::v330, {umbrage::glsl::pcf_2x2}) + my_main;
 //
@@ -18,7 +18,7 @@
 
 namespace umbrage::glsl {
 
-/// Macros that every text relies on; each can be defined beforehand to something else.
+/// Macros that every text relies on. Each can be defined otherwise beforehand.
 inline constexpr std::string_view prelude = R"GLSL(
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -123,7 +123,7 @@ inline constexpr language glsl_language{
     return v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
 }
 
-/// __VERSION__
+/// Value of __VERSION__.
 [[nodiscard]] constexpr int number(version v) {
     int n = 0;
     for (const char c : directive(v).substr(0, 3)) n = n * 10 + (c - '0');
@@ -132,7 +132,7 @@ inline constexpr language glsl_language{
 
 [[nodiscard]] constexpr bool has_precise(version v) { return number(v) >= (is_es(v) ? 320 : 400); }
 
-/// The prelude where the dialect is known.
+/// Prelude for a known dialect.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string known_prelude(version v) {
     return std::string("\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP") + (is_es(v) ? " highp" : "") +
@@ -140,10 +140,10 @@ template <class = umbrage::detail::on_use>
            "\n#endif\n";
 }
 
-/// The text with what __VERSION__ decides decided.
+/// Text with its `#if __VERSION__` resolved.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string resolved(std::string_view text, int number) {
-    enum class branch { kept, taken, left_out };  // kept: directive and all
+    enum class branch { kept, taken, left_out };  // kept: with its directives
     const std::string_view condition = "#if __VERSION__ >= ";
     std::vector<branch> open;
     std::string out;
@@ -186,11 +186,12 @@ template <class = umbrage::detail::on_use>
            v >= version::v300_es;
 }
 
-/// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
-/// @param items   snippets, or what bind() gives for a map, in braces; of another container {begin, end}
-/// @param v       the dialect, whose `#if __VERSION__` are decided for preprocessors of engines; none: text for any
-/// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name; a dialect without
-///                                 what a snippet or a map needs
+/// Text to paste into any shader: the snippets and all they need, each once and guarded, without a `#version` line.
+/// @param items   snippets, or results of bind(), in braces; {begin, end} for another container
+/// @param v       dialect for which `#if __VERSION__` is resolved, for engines' preprocessors; none: text for any
+///                dialect
+/// @throws std::invalid_argument   a map that does not support what its snippet needs. Two maps of one name. A
+///                                 dialect without what a snippet or a map needs
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(const std::vector<bound>& items, std::optional<version> v = {}) {
     if (!v) return detail::compose<Use>(detail::glsl_language<Use>, items);
@@ -208,23 +209,23 @@ template <class Use = umbrage::detail::on_use>
     return detail::resolved<Use>(detail::compose<Use>(known, items), detail::number(*v));
 }
 
-/// The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
-/// binding says in the shader's own language has no tier.
+/// Weakest tier in a text: of the snippets, all they need, and the hooks of the maps they are bound to. Texts of
+/// a binding in the shader's own language have no tier.
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] tier exactness(const std::vector<bound>& items) {
     return detail::composition<Use>(detail::glsl_language<Use>, items).worst().exactness;
 }
 
-/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+/// Beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
 ///
-/// Texts have `precise` from GLSL 400 and 320 es on. A preamble can bring it to older dialects:
+/// Texts use `precise` from GLSL 400 and 320 es on. A preamble can enable it in older dialects:
 ///
 ///     #extension GL_EXT_gpu_shader5 : require
 ///     #define UMBRAGE_PRECISE precise
 ///
-/// In 310 es this is GL_EXT_gpu_shader5 or GL_OES_gpu_shader5, in 150 and 330 GL_ARB_gpu_shader5. No text asks for an
-/// extension by itself: some compilers have GL_ARB_gpu_shader5 and reject `precise`, glslang among them.
+/// In 310 es the extension is GL_EXT_gpu_shader5 or GL_OES_gpu_shader5, in 150 and 330 GL_ARB_gpu_shader5. No text
+/// enables an extension by itself. Some compilers, glslang among them, have GL_ARB_gpu_shader5 and reject `precise`.
 ///
 /// @throws std::invalid_argument   as text
 template <class Use = umbrage::detail::on_use>

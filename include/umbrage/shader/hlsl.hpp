@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Snippets in HLSL, printed from their GLSL.
+// HLSL text of snippets, printed from their GLSL.
 //
 //     std::string shader = umbrage::hlsl::text({umbrage::glsl::pcf_2x2}) + my_main;
 //     // float umbrage_pcf_2x2(Texture2D<float4> map, float2 size, float2 coord, float receiver)
@@ -26,7 +26,7 @@ inline constexpr glsl::detail::near_language akin{.name = "hlsl",
                                                   .own = &glsl::detail::word::hlsl,
                                                   .precise = "precise",
                                                   .function = "",
-                                                  .condition = "precise ",  // FXC makes !(a > b) of a <= b elsewhere
+                                                  .condition = "precise ",  // FXC turns a <= b into !(a > b) elsewhere
                                                   .matrices_have_rows = true,
                                                   .vectors_of_one_are_cast = true,
                                                   .reserved = " line linear matrix pass point sample triangle vector "};
@@ -124,13 +124,12 @@ inline constexpr glsl::detail::language language{
 
 }  // namespace detail
 
-/// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
-/// shader.
+/// Text to paste into any shader: the snippets, or results of bind(), and all they need, each once and guarded.
 ///
-/// Nothing in HLSL says how large a texture is within an expression: a map that is a region of one, and is gathered
-/// from or compared by its sampler, needs the binding's texture_size.
+/// HLSL has no expression for the size of a texture. A map that is a region of one, and is gathered from or compared by
+/// its sampler, needs the binding's texture_size.
 ///
-/// @throws std::invalid_argument   for what HLSL has no word for
+/// @throws std::invalid_argument   a snippet or map that HLSL cannot express
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
     return glsl::detail::compose<Use>(detail::language<Use>, items);

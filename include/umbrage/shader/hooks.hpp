@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Functions for each kind of map. bind() puts one in place of a hook's own text, which is that of a plain map.
-// Words that a map fills in: UMBRAGE_MAP map, its parameters; UMBRAGE_ORIGIN, its first texel in the texture;
-// UMBRAGE_DEPTH, the depth of a `value`; UMBRAGE_BORDER, the depth outside; UMBRAGE_COMPARE, a user's own comparison;
-// UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
-//
+// Hooks for each kind of map, part 2. bind() puts one of these functions in place of a hook's own text, which is that
+// of a plain map. The map fills in these words:
+//   UMBRAGE_MAP map   its parameters
+//   UMBRAGE_ORIGIN    its first texel in the texture
+//   UMBRAGE_DEPTH     the depth of a `value`
+//   UMBRAGE_BORDER    the depth outside
+//   UMBRAGE_COMPARE   a user's own comparison
+//   UMBRAGE_UV        texture coordinates for `at`
+// and words that read the texture at `at` or `uv`. See also: texel_hooks.hpp.
 #pragma once
 
 #include <umbrage/shader/texel_hooks.hpp>
@@ -16,7 +20,7 @@ inline constexpr snippet gathered{.name = "lit_2x2",
                                   .needs = list<&gather_compared>,
                                   .role = hook::chosen,
                                   .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     return umbrage_gather_lit(map, size, texel, receiver);
@@ -28,8 +32,9 @@ inline constexpr snippet gathered_region{.name = "lit_2x2",
                                          .needs = list<&gather_compared>,
                                          .role = hook::chosen,
                                          .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
+// row and column
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
@@ -49,8 +54,8 @@ inline constexpr snippet gathered_bordered{.name = "lit_2x2",
                                            .needs = list<&gather_compared, &inside_map, &compare>,
                                            .role = hook::chosen,
                                            .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the far plane, whatever the sampler has there
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The sampler's border color does not matter
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
@@ -68,8 +73,8 @@ inline constexpr snippet gathered_bordered_region{.name = "lit_2x2",
                                                   .needs = list<&gather_compared, &inside_map, &compare>,
                                                   .role = hook::chosen,
                                                   .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the far plane: the gather stays inside
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The gather stays inside
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
@@ -88,7 +93,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 }
 )GLSL"};
 
-// The sampler weighs: coordinates stay half a texel inside, so that what is beside the map has no weight.
+// The sampler weights texels. Coordinates stay half a texel inside, so that texels outside the map have no weight.
 
 inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
                                               .summary = "lit_filtered, clamped",
@@ -97,8 +102,8 @@ inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
                                               .needs = list<&within_far_plane>,
                                               .role = hook::chosen,
                                               .source = R"GLSL(
-// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
-//   coord  in texels, no NaN
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+//   coord   in texels, no NaN
 UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
@@ -116,9 +121,9 @@ inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .needs = list<&within_far_plane, &compare>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
-// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
-//   NaN is in shadow
-//   coord  in texels, no NaN
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+// Outside the map the far plane is compared
+//   coord   in texels, no NaN
 UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
@@ -131,7 +136,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 }
 )GLSL"};
 
-// Where a map is all of its texture, uv over the map is what the sampler takes, and the sampler clamps to the edge.
+// A map that fills its texture: uv over the map is what the sampler takes, and the sampler clamps to the edge.
 
 inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
                                               .summary = "lit_at, sampled and bordered",
@@ -140,8 +145,9 @@ inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
                                               .needs = list<&compare>,
                                               .role = hook::chosen,
                                               .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
@@ -158,8 +164,8 @@ inline constexpr snippet sampled_bordered_depth{.name = "depth_at",
                                                 .needs = list<&decode>,
                                                 .role = hook::chosen,
                                                 .source = R"GLSL(
-// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, that of the far plane outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
     UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
     return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
@@ -173,7 +179,8 @@ inline constexpr snippet sampled_lit{.name = "lit_at",
                                      .role = hook::chosen,
                                      .source = R"GLSL(
 // umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
                                    UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_LIT_FILTERED;
@@ -188,13 +195,13 @@ inline constexpr snippet sampled_depth{.name = "depth_at",
                                        .role = hook::chosen,
                                        .source = R"GLSL(
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
     return umbrage_decode(UMBRAGE_SAMPLED);
 }
 )GLSL"};
 
-/// Every one of them, for printers and packages.
+/// List of all hooks, for printers and packages.
 inline constexpr const auto& all =
     list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
          &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Declarations of a shadow in a shader: its uniform block, its map, and a function of world and normal alone.
+// Declarations of a shadow in a shader: its uniform block, its map, and a function of world position and normal.
 //
-// A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks:
-// there it is an array of vec4, and glUniform4fv takes the same bytes.
+// A block consists of mat4 and vec4, whose layout is the same in std140, cbuffers, WGSL and Metal. GLSL 100 to 130 has
+// no blocks. There it is an array of vec4, and glUniform4fv takes the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace umbrage {
 
-/// A member of a uniform block: one mat4, or one vec4.
+/// Member of a uniform block: one mat4, or one vec4.
 struct uniform_field {
     std::string_view name;
     bool matrix = true;
@@ -28,30 +28,33 @@ struct uniform_field {
 
 namespace glsl {
 
-/// The numbers that an API binds by. Languages take those they have: OpenGL from 430 and 310 es on the bindings of
-/// block and texture, Vulkan and WGSL the set too, HLSL registers b, t, s and a space; Metal has arguments instead.
+/// Binding numbers of an API. Each language uses those it has:
+///   OpenGL   from 430 and 310 es on the bindings of block and texture
+///   Vulkan   also the set, as WGSL
+///   HLSL     registers b, t and s, and a space
+///   Metal    none: it has arguments instead
 struct shader_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;
 };
 
-/// A function of the shader for one shadow, which hands its arguments on behind the map and the block.
+/// Shader function for one shadow. It passes its arguments on, after the map and the block.
 struct interface_function {
     struct argument {
         std::string_view name;
         int components = 3;
     };
-    std::string_view name{};                     ///< umbrage_<name>_<shadow>; umbrage_<shadow> for none
+    std::string_view name{};                     ///< umbrage_<name>_<shadow>; empty: umbrage_<shadow>
     std::string_view calls;                      ///< umbrage_<calls>_<shadow>
-    std::string_view says;                       ///< what it gives, for a comment
-    int components = 1;                          ///< of what it returns
-    bool reads_map = true, reads_fields = true;  ///< else the last two alone: shadow_terms
+    std::string_view says;                       ///< description of its result, for a comment
+    int components = 1;                          ///< number of components of its result
+    bool reads_map = true, reads_fields = true;  ///< else only the last two: shadow_terms
     std::vector<argument> arguments{};
 };
 
-/// What a text declares for one shadow.
+/// Declarations of a text for one shadow.
 struct shader_interface {
     std::string name;
-    std::vector<uniform_field> fields{};  ///< of the block
+    std::vector<uniform_field> fields{};  ///< fields of the block
     shader_slots slots{};
     std::vector<interface_function> functions{};
 
@@ -60,12 +63,12 @@ struct shader_interface {
 
 namespace detail {
 
-/// The parameters that stand for the map, without what chooses one of several: sampler2D map.
+/// Parameters that stand for the map, without those that choose one of several: sampler2D map.
 struct map_parameter {
     std::string map, sampler;  ///< sampler: empty where there is none
 };
 
-/// A call of a function of all its arguments, `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
+/// Call of a function with all its arguments: `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
 template <class Member>
 [[nodiscard]] std::string interface_call(const shader_interface& i, const interface_function& f, const std::string& map,
                                          const std::string& sampler, const Member& member) {
@@ -76,8 +79,8 @@ template <class Member>
     return "umbrage_" + std::string(f.calls) + "_" + i.name + "(" + all.substr(2) + ")";
 }
 
-/// Declares its arguments: "float3 world, float3 normal".
-/// @param type   a language's word for a number of components
+/// Declarations of a function's arguments: "float3 world, float3 normal".
+/// @param type   returns the language's word for a number of components
 template <class Type>
 [[nodiscard]] std::string parameters_of(const interface_function& f, const Type& type, bool type_last = false) {
     std::string all;
@@ -92,12 +95,12 @@ template <class Type>
     return f.name.empty() ? i.prefix() : "umbrage_" + std::string(f.name) + "_" + i.name;
 }
 
-/// HLSL's and MSL's word.
+/// Word for a float vector in HLSL and MSL.
 [[nodiscard]] inline std::string float_type(int components) {
     return components == 1 ? "float " : "float" + std::to_string(components) + " ";
 }
 
-/// A declared parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map".
+/// Declaration of a parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map".
 [[nodiscard]] inline std::string renamed(std::string declaration, std::string_view from, const std::string& to) {
     const auto at = declaration.find(declaration.find(std::string(from) + ":") == 0 ? std::string(from) + ":"
                                                                                     : " " + std::string(from));

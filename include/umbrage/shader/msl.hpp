@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Snippets in the Metal Shading Language, printed from their GLSL.
+// Metal Shading Language text of snippets, printed from their GLSL.
 //
 //     std::string shader = umbrage::msl::text({umbrage::glsl::pcf_2x2}) + my_main;
 //     // inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 coord, float receiver)
@@ -18,13 +18,13 @@
 
 namespace umbrage::msl {
 
-/// What every text begins with. Metal computes with fast mathematics unless it is told not to; from here to the end of
-/// the file it is told. Safe mathematics still fuses a * b + c within a statement, which the second pragma forbids.
+/// First lines of every text. Metal uses fast math by default, and these lines turn it off to the end of the file. Safe
+/// math still fuses a * b + c within a statement, which the second pragma forbids.
 ///
 /// Both pragmas need the compiler of Metal 3.2: Xcode 16, macOS 15, iOS 18. Older ones need options for the whole
-/// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The latter may still fuse.
+/// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The last may still fuse.
 inline constexpr std::string_view prelude =
-    "\n#include <metal_stdlib>\n"  // no line of its own, which the single header would take for C++'s
+    "\n#include <metal_stdlib>\n"  // not on its own line, which the single header would take for C++'s
     "#pragma METAL fp math_mode(safe)\n"
     "#pragma METAL fp contract(off)\n";
 
@@ -140,9 +140,8 @@ inline constexpr glsl::detail::language language{
 
 }  // namespace detail
 
-/// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
-/// shader.
-/// @throws std::invalid_argument   for what Metal has no word for
+/// Text to paste into any shader: the snippets, or results of bind(), and all they need, each once and guarded.
+/// @throws std::invalid_argument   a snippet or map that Metal cannot express
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
     return glsl::detail::compose<Use>(detail::language<Use>, items);

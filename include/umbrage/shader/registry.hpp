@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every snippet there is, in the order of the data's way: what tests, tables and tools walk through.
+// List of every snippet, in the order in which data flows, for tests, tables and tools.
 //
 //     for (const umbrage::glsl::snippet* s : umbrage::glsl::registry()) std::puts(umbrage::glsl::text({*s}).c_str());
 //
@@ -67,12 +67,12 @@ namespace umbrage::glsl {
 
 namespace detail {
 
-/// Snippets in order, each once, what it needs before it.
+/// Snippets in order, each once, after what it needs.
 template <class = umbrage::detail::on_use>
 class collection {
 public:
     collection& add(const snippet* s) {
-        // By name: a program and a library that it loads may each have a copy.
+        // Compares by name: a program and a library that it loads may each have a copy.
         for (const snippet* member : members_)
             if (*member == *s) return *this;
         for (const snippet* need : s->needs) add(need);
@@ -100,7 +100,7 @@ public:
     [[nodiscard]] const std::vector<const snippet*>& members() const { return members_; }
 
 private:
-    /// One for each of the filter's values.
+    /// Adds the snippet of each of the filter's values.
     template <class Filter>
     void add_filter() {
         if constexpr (requires { Filter::values; }) {
@@ -113,7 +113,7 @@ private:
 
 }  // namespace detail
 
-/// All of them. Made when it is first asked for: a program that does not ask carries no snippet for it.
+/// All snippets. The list is made on first use, so a program that does not call this carries no snippet for it.
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::span<const snippet* const> registry() {
     static const auto all = [] {

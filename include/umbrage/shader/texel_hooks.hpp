@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The hooks of hooks.hpp that say what a map's depths mean, and those that take its texels as they are.
+// Hooks for each kind of map, part 1: those that interpret depths, and those that read texels without a filter.
+// See also: hooks.hpp, which explains the words.
 //
 #pragma once
 
@@ -18,7 +19,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 
 inline constexpr snippet clamped_covers{
     .name = "map_covers", .summary = "map_covers, clamped", .role = hook::chosen, .source = R"GLSL(
-// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+// umbrage_map_covers: always true, as the nearest texel inside is used outside the map
 bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     return true;
 }
@@ -26,7 +27,7 @@ bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
 
 inline constexpr snippet reversed_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true when a receiver is beyond the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver < 0.0;
 }
@@ -34,7 +35,8 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 
 inline constexpr snippet no_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, without", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
+// umbrage_beyond_far_plane: always false for this map. Receivers beyond the far plane have a value that every texel
+// lights
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return false;
 }
@@ -42,9 +44,9 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 
 inline constexpr snippet any_within_far_plane{
     .name = "within_far_plane", .summary = "within_far_plane, without", .role = hook::chosen, .source = R"GLSL(
-// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
+// umbrage_within_far_plane: true when a receiver is a number, as no receiver of this map is beyond the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
-    // a sum of choices, not an or of comparisons, which compilers take for true
+    // a sum of choices: compilers take an or of the comparisons for true
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return number > 0.5;
 }
@@ -52,7 +54,7 @@ bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
 
 inline constexpr snippet reversed_within_far_plane{
     .name = "within_far_plane", .summary = "within_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane: true when a receiver is a number and not beyond the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver >= 0.0;
 }
@@ -60,7 +62,7 @@ bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
 
 inline constexpr snippet reversed_compare{
     .name = "compare", .summary = "compare, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth. Near is 1.0
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
     return receiver >= stored ? 1.0 : 0.0;
 }
@@ -68,14 +70,14 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 
 inline constexpr snippet own_compare{
     .name = "compare", .summary = "compare, own", .role = hook::chosen, .source = R"GLSL(
-// umbrage_compare: visibility of one comparison, the map's own
+// umbrage_compare: visibility of one comparison, by the map's own comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
     return UMBRAGE_COMPARE;
 }
 )GLSL"};
 
 inline constexpr snippet decode{.name = "decode", .summary = "decode", .role = hook::chosen, .source = R"GLSL(
-// umbrage_decode: depth of a value that the sampler gave
+// umbrage_decode: depth of a value that the sampler returned
 UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
     return UMBRAGE_DEPTH;
 }
@@ -86,7 +88,7 @@ inline constexpr snippet clamped_depth{.name = "fetch_depth",
                                        .needs = list<&fetch_clamped>,
                                        .role = hook::chosen,
                                        .source = R"GLSL(
-// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+// umbrage_fetch_depth: stored depth of a texel, that of the nearest texel inside when outside the map
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
     return UMBRAGE_DEPTH;
@@ -94,7 +96,7 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 )GLSL"};
 
 inline constexpr snippet lit_texel{.name = "lit_texel", .summary = "lit_texel", .role = hook::chosen, .source = R"GLSL(
-// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map. NaN is in shadow
 UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                       UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
@@ -105,7 +107,7 @@ UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 
 inline constexpr snippet clamped_lit{
     .name = "lit", .summary = "lit, clamped", .needs = list<&lit_texel>, .role = hook::chosen, .source = R"GLSL(
-// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+// umbrage_lit: visibility of one comparison with a texel, with the nearest texel inside when outside the map
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
     return umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
@@ -117,7 +119,7 @@ inline constexpr snippet bordered_lit{.name = "lit",
                                       .needs = list<&lit_texel, &compare>,
                                       .role = hook::chosen,
                                       .source = R"GLSL(
-// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+// umbrage_lit: visibility of one comparison with a texel, with the far plane when outside the map
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
@@ -127,11 +129,11 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 }
 )GLSL"};
 
-// Four texels at once: a gather gives those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
+// Four texels at once: a gather returns those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
 
 inline constexpr snippet gather_compared{
     .name = "gather_lit", .summary = "gather_lit, compared", .role = hook::gather_lit, .source = R"GLSL(
-// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
 UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                       UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Snippets in WGSL, printed from their GLSL.
+// WGSL text of snippets, printed from their GLSL.
 //
 //     std::string shader = umbrage::wgsl::text({umbrage::glsl::pcf_2x2}) + my_main;
 //     // fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32
 //
-// Of functions that GLSL overloads, all but the float's have a type in their name: umbrage_to_unorm_vec2f.
+// GLSL's overloads, except the float's, have their type in the name: umbrage_to_unorm_vec2f.
 //
 #pragma once
 
@@ -130,8 +130,8 @@ inline constexpr glsl::detail::language language{.prelude = "",
 
 }  // namespace detail
 
-/// The snippets, or what bind() gives for a map, and all they need, each function once: text to paste into any shader.
-/// @throws std::invalid_argument   for what WGSL has no word for
+/// Text to paste into any shader: the snippets, or results of bind(), and all they need, each function once.
+/// @throws std::invalid_argument   a snippet or map that WGSL cannot express
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
     return glsl::detail::compose<Use>(detail::language<Use>, items);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where lines end, once words of another length stand in them.
+// Line breaks of translated text, whose words have other lengths.
 //
 #pragma once
 
@@ -14,13 +14,13 @@
 
 namespace umbrage::glsl::detail {
 
-/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as
-/// far out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
+/// One statement, or a function's head, in lines of at most 120 columns. Lines break after a comma or an operator, as
+/// far out of brackets as possible. The next line is indented to its bracket, or by four columns.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string broken(std::string statement) {
     const std::size_t margin = statement.find_first_not_of(' ');
     std::string out;
-    std::vector<std::size_t> brackets;  // columns behind those that are open where the line at work begins
+    std::vector<std::size_t> brackets;  // columns after the brackets that are open at the start of the line
     for (std::size_t begin = margin; statement.size() > 120;) {
         std::vector<std::size_t> open = brackets, open_at_end;
         std::size_t end = 0;
@@ -43,7 +43,7 @@ template <class = umbrage::detail::on_use>
     return out + statement;
 }
 
-/// The text with the lines of each statement joined and broken again; a comment or a directive stays as it is.
+/// Text with the lines of each statement joined and broken again. Comments and directives stay as they are.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string laid_out(std::string_view text) {
     const auto next_line = [&] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// GLSL text in pieces, for what prints it in other languages. Nothing is lost: space and text of all, in a row, are the
-// text that went in.
+// Tokens of GLSL text, for printing it in other languages. Nothing is lost: space and text of all tokens, in a row, are
+// the original text.
 //
 #pragma once
 
@@ -19,8 +19,8 @@ enum class piece { word, number, sign, comment, directive, end };
 
 struct token {
     piece kind = piece::end;
-    std::string_view space;  ///< white space before it
-    std::string_view text;   ///< a comment's or a directive's is the rest of the line, without its end
+    std::string_view space;  ///< white space before the token
+    std::string_view text;   ///< for a comment or a directive the rest of the line, without its end
 
     [[nodiscard]] bool operator==(std::string_view other) const { return text == other; }
 };
@@ -28,7 +28,7 @@ struct token {
 [[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 [[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The longest sign that `text` begins with; empty where it begins with none.
+/// Longest sign that `text` begins with; empty if there is none.
 [[nodiscard]] inline std::string_view sign_at(std::string_view text) {
     static constexpr std::string_view two[]{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
                                             "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
@@ -38,7 +38,7 @@ struct token {
     return one.find(text.front()) == one.npos ? std::string_view() : text.substr(0, 1);
 }
 
-/// Where a number that begins at text[i] ends.
+/// End of the number that begins at text[i].
 [[nodiscard]] inline std::size_t end_of_number(std::string_view text, std::size_t i) {
     const bool hexadecimal = text.substr(i, 2) == "0x";
     for (char last = '0'; i < text.size(); last = text[i++]) {
@@ -48,8 +48,8 @@ struct token {
     return i;
 }
 
-/// The pieces of `text`, which must outlive them; the last is an end, whose space is what is left.
-/// @throws std::invalid_argument   for a character that is none of GLSL's
+/// Tokens of `text`, which must outlive them. The last is an end, with the remaining space.
+/// @throws std::invalid_argument   a character that GLSL does not have
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::vector<token> tokens(std::string_view text, std::string_view language = "glsl") {
     std::vector<token> all;
@@ -83,10 +83,10 @@ template <class = umbrage::detail::on_use>
     }
 }
 
-/// Of "#if __VERSION__ >= ..." what stands before its #else: what languages take that have all of the newest GLSL.
+/// Tokens before the #else of "#if __VERSION__ >= ...", for languages that have all of the newest GLSL.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::vector<token> newest(std::vector<token> all) {
-    enum { outside, before, behind } place = outside;  // of #else
+    enum { outside, before, behind } place = outside;  // relative to #else
     std::erase_if(all, [&](const token& t) {
         if (t.kind != piece::directive) return place == behind;
         if (t.text.starts_with("#if __VERSION__ >= ")) place = before;
@@ -97,8 +97,8 @@ template <class = umbrage::detail::on_use>
     return all;
 }
 
-/// The bracket that closes the one at all[i].
-/// @throws std::invalid_argument   where none does
+/// Index of the bracket that closes the one at all[i].
+/// @throws std::invalid_argument   no such bracket
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::size_t closing(const std::vector<token>& all, std::size_t i, std::string_view language = "glsl") {
     std::size_t depth = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Types of GLSL expressions, by GLSL's names: "vec3", "uint", "mat4"; "float[4]" is an array.
+// Types of GLSL expressions, by GLSL's names: "vec3", "uint", "mat4". "float[4]" is an array.
 //
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace umbrage::glsl::detail {
 
-/// Components of a vector, or of a matrix's column; 1 for scalars.
+/// Number of components of a vector, or of a matrix's column; 1 for scalars.
 [[nodiscard]] constexpr int width_of(std::string_view type) {
     const char last = type.back();
     return last >= '2' && last <= '4' ? last - '0' : 1;
@@ -38,7 +38,7 @@ namespace umbrage::glsl::detail {
     return std::string(component_of(type));
 }
 
-/// Type of `a op b` with an arithmetic or bitwise sign; empty where GLSL has none, or only by a conversion unsaid.
+/// Type of `a op b` with an arithmetic or bitwise sign. Empty where GLSL has none, or only by an implicit conversion.
 [[nodiscard]] inline std::string type_of_product(std::string_view a, std::string_view op, std::string_view b) {
     if (op == "<<" || op == ">>") return std::string(a);
     if (op == "*" && is_matrix(a) && !is_matrix(b) && width_of(a) == width_of(b)) return std::string(b);

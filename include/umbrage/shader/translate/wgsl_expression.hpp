@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Expressions of GLSL in WGSL, where all types agree: what is converted, and which of a function's overloads is meant,
-// is written out.
+// Translation of GLSL expressions to WGSL. WGSL converts nothing, so conversions and the chosen overload of a function
+// are written out.
 //
 #pragma once
 
@@ -21,10 +21,10 @@ namespace umbrage::wgsl::detail {
 using glsl::detail::piece;
 using glsl::detail::token;
 
-/// A function of the text: one overload.
+/// Function of the text: one overload.
 struct signature {
     std::string name, wgsl;  ///< WGSL has no overloads
-    std::string parameters;  ///< their types, a comma behind each
+    std::string parameters;  ///< types of the parameters, a comma after each
     std::string gives;
 };
 using signatures = std::vector<signature>;
@@ -35,20 +35,20 @@ struct variable {
 
 struct value {
     std::string text, type;
-    int level;             ///< of its outermost operator; the highest for what needs no brackets
-    bool literal = false;  ///< a number, which takes its type from where it stands
+    int level;             ///< level of its outermost operator; the highest if it needs no brackets
+    bool literal = false;  ///< a number, which takes its type from its context
     bool select = false;
 };
 
 [[noreturn]] inline void reject(const std::string& what) { umbrage::detail::fail("umbrage::wgsl::text: " + what); }
 
-/// A type's name in WGSL.
+/// Name of a type in WGSL.
 [[nodiscard]] inline std::string name_of(std::string_view type) {
     if (!glsl::detail::is_type(type)) glsl::detail::unknown("wgsl", type);
     return std::string(glsl::detail::find_word(type)->wgsl);
 }
 
-/// What a map fills in, and its type in GLSL. Printed as it is.
+/// Word that a map fills in, and its GLSL type. It is printed unchanged.
 struct word_of_map {
     std::string_view word, type;
 };
@@ -60,28 +60,28 @@ inline constexpr word_of_map words_of_maps[]{
 
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
-/// Reads a text from the beginning on and gives its expressions in WGSL.
+/// Reads a text from its beginning, and returns its expressions in WGSL.
 template <class = umbrage::detail::on_use>
 class expressions {
 public:
     expressions(std::string_view text, const signatures& functions)
         : all_(glsl::detail::newest(glsl::detail::tokens(text, "wgsl"))), functions_(functions) {}
 
-    std::size_t at = 0;               ///< the next token
-    std::vector<variable> variables;  ///< in scope; of two of one name the last counts
+    std::size_t at = 0;               ///< index of the next token
+    std::vector<variable> variables;  ///< variables in scope; of two with one name the last counts
 
-    /// The last, an end, is never taken.
+    /// Next token. The last one, an end, is never taken.
     [[nodiscard]] const token& next() const { return all_[at]; }
     const token& take() { return all_[at + 1 < all_.size() ? at++ : at]; }
 
-    /// The sign `text` with its space.
+    /// Sign `text` with the space before it.
     std::string expect(std::string_view text) {
         if (!(next() == text)) reject("expected " + std::string(text) + " before " + std::string(next().text));
         const token& t = take();
         return std::string(t.space) + std::string(text);
     }
 
-    /// From the next token on; the space before it is left out.
+    /// Expression from the next token on, without the space before it.
     value expression() {
         value condition = binary(1);
         if (!(next() == "?")) return condition;
@@ -95,7 +95,7 @@ public:
                 false, true};
     }
 
-    /// The same with the space before it.
+    /// Expression from the next token on, with the space before it.
     value spaced_expression() {
         const std::string space(next().space);
         value v = expression();
@@ -104,7 +104,7 @@ public:
     }
 
 protected:
-    /// nullptr: there is none.
+    /// Overload with these parameters; nullptr if there is none.
     [[nodiscard]] const signature* overload(std::string_view name, std::string_view parameters) const {
         for (const signature& f : functions_)
             if (f.name == name && f.parameters == parameters) return &f;
@@ -129,7 +129,8 @@ private:
         return 0;
     }
 
-    /// WGSL's operators that are of no higher level than GLSL's take no unbracketed operators at all, or not these.
+    /// Operand in brackets where WGSL needs them. WGSL's operators of no higher level than GLSL's take no unbracketed
+    /// operators at all, or not these.
     static std::string operand(const value& v, int level, bool chained) {
         const bool bitwise = level >= 3 && level <= 5, comparing = level == equality_level || level == relation_level;
         const bool bracket = (bitwise && v.level < unary_level && !(chained && v.level == level)) ||
@@ -138,7 +139,7 @@ private:
         return bracket ? "(" + v.text + ")" : v.text;
     }
 
-    /// f(a < b, c > d) would be a template in WGSL.
+    /// Argument in brackets where needed: f(a < b, c > d) would be a template in WGSL.
     static std::string argument(const value& v) { return v.level == relation_level ? "(" + v.text + ")" : v.text; }
 
     value binary(int lowest) {
@@ -243,7 +244,7 @@ private:
         return list;
     }
 
-    /// Each in the function's component type.
+    /// Constructor of a type, with each argument in its component type.
     static value constructed(const std::string& type, std::vector<value> arguments, const std::string& close) {
         const std::string component(glsl::detail::component_of(glsl::detail::is_matrix(type) ? "float" : type));
         const bool scalar = glsl::detail::width_of(type) == 1;
@@ -266,7 +267,7 @@ private:
         std::string type = arguments[0].type;
         for (const value& v : arguments)
             if (glsl::detail::width_of(v.type) > glsl::detail::width_of(type)) type = v.type;
-        for (value& v : arguments) {  // all are of one type in WGSL
+        for (value& v : arguments) {  // in WGSL all are of one type
             if (v.type == type) continue;
             if (v.type != glsl::detail::component_of(type)) reject(function + " of " + type + " and " + v.type);
             const std::size_t space = v.text.find_first_not_of(" \n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Functions of GLSL in WGSL, with their names, comments and layout.
+// Translation of GLSL functions to WGSL, with their names, comments and layout.
 //
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace umbrage::wgsl::detail {
 
-/// Prints a snippet's text, GLSL whose only lines of the preprocessor are about its version.
+/// Printer of a snippet's text: GLSL whose only preprocessor lines are about its version.
 template <class = umbrage::detail::on_use>
 class printer : expressions<> {
     struct head {
@@ -25,10 +25,10 @@ class printer : expressions<> {
     };
 
 public:
-    /// @param functions   those that the text may call; its own are added
+    /// @param functions   functions that the text may call; its own are added
     printer(std::string_view text, signatures& functions) : expressions<>(text, functions), functions_(functions) {}
 
-    /// Adds the signatures of the text's functions. Where several share a name, their first type is a part of it.
+    /// Adds the signatures of the text's functions. Where several share a name, their first type becomes a part of it.
     void declare() {
         std::vector<head> all;
         while (next().kind != piece::end) {
@@ -49,7 +49,8 @@ public:
         }
     }
 
-    /// @throws std::invalid_argument   for what is not in the part of GLSL that snippets are written in
+    /// Text in WGSL.
+    /// @throws std::invalid_argument   a text outside the part of GLSL in which snippets are written
     [[nodiscard]] std::string print() {
         at = 0;
         while (next().kind != piece::end) {
@@ -77,7 +78,7 @@ private:
         return std::string(take().text);
     }
 
-    /// `float f(float a, ...)`; what comes next is the body.
+    /// Head of a function, `float f(float a, ...)`. Its body follows.
     head read_head() {
         head h{next().space, read_type(), read_name(), {}};
         expect("(");
@@ -95,7 +96,7 @@ private:
         out_ += std::string(t.space) + std::string(t.text);
     }
 
-    /// The indentation of the line being written.
+    /// Indentation of the line being written.
     [[nodiscard]] std::size_t indentation() const {
         const std::size_t line = out_.rfind('\n') + 1, text = out_.find_first_not_of(' ', line);
         return (text == out_.npos ? out_.size() : text) - line;
@@ -129,7 +130,7 @@ private:
         block();
     }
 
-    /// Whether the function's body writes to what has that name.
+    /// True when the function's body writes to the variable of that name.
     [[nodiscard]] bool is_assigned(std::string_view name) const {
         static constexpr std::string_view signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
         const std::size_t end = glsl::detail::closing(all_, body_, "wgsl");
@@ -145,7 +146,7 @@ private:
         return false;
     }
 
-    /// What is behind an opening brace, and the closing one.
+    /// Statements after an opening brace, and the closing one.
     void block() {
         while (!(next() == "}")) {
             if (next().kind == piece::end) reject("a brace is not closed");
@@ -172,7 +173,7 @@ private:
         out_ += expect(";");
     }
 
-    /// A declaration, an assignment, or a jump, up to its semicolon.
+    /// Declaration, assignment, or jump, up to its semicolon.
     std::string simple_statement() {
         skip_qualifiers();
         const std::string word(next().text);
@@ -190,7 +191,7 @@ private:
             skip_qualifiers();
         }
         if (glsl::detail::is_type(next().text)) return declaration(constant);
-        if (next() == "++" || next() == "--") {  // behind its variable, in WGSL
+        if (next() == "++" || next() == "--") {  // after its variable, in WGSL
             const std::string sign(take().text);
             return expression().text + sign;
         }
@@ -247,7 +248,7 @@ private:
         return text += expect(")");
     }
 
-    /// Of `if`, `else` or `for`: WGSL wants braces.
+    /// Body of `if`, `else` or `for`. WGSL requires braces.
     void body() {
         if (next() == "{") return statement();
         const std::size_t margin = indentation();
@@ -265,7 +266,7 @@ private:
 
     signatures& functions_;
     std::string out_;
-    std::size_t body_ = 0;  // of the function being printed: its opening brace
+    std::size_t body_ = 0;  // opening brace of the function being printed
 };
 
 }  // namespace umbrage::wgsl::detail

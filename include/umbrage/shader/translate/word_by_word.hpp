@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Languages so close to GLSL that each word has its like in its place: HLSL and MSL.
+// Translation word by word to HLSL and MSL, which are close enough to GLSL for that.
 //
 #pragma once
 
@@ -16,19 +16,19 @@
 
 namespace umbrage::glsl::detail {
 
-/// Where such a language differs.
+/// Differences of such a language from GLSL.
 struct near_language {
     std::string_view name;
     std::string_view word::*own;
-    std::string_view precise;      ///< for UMBRAGE_PRECISE; empty: nothing
-    std::string_view function;     ///< before each function's type,
-    std::string_view condition;    ///< and before that of one that tells true from false
-    bool matrices_have_rows;       ///< m[i] is a row of m, its constructor takes rows
+    std::string_view precise;      ///< word for UMBRAGE_PRECISE; empty: nothing
+    std::string_view function;     ///< word before each function's type,
+    std::string_view condition;    ///< and before the type of a function that returns bool
+    bool matrices_have_rows;       ///< m[i] is a row of m, and its constructor takes rows
     bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
-    std::string_view reserved;     ///< what GLSL may call a variable, and this language may not: " a b "
+    std::string_view reserved;     ///< words that GLSL may use for a variable, and this language may not: " a b "
 };
 
-/// Prints functions in a near language.
+/// Printer of functions in a near language.
 template <class = umbrage::detail::on_use>
 class word_by_word {
 public:
@@ -58,7 +58,8 @@ private:
         return out;
     }
 
-    /// @return   where what follows begins
+    /// Prints one word.
+    /// @return   index of the token that follows
     std::size_t print_word(std::string& out, std::size_t i) {
         const std::string_view text = all_[i].text;
         if (is_qualifier(text)) {
@@ -91,7 +92,7 @@ private:
         return i + 1;
     }
 
-    /// A function's, a variable's, or a constructor.
+    /// Prints the type of a function or variable, or a constructor.
     std::size_t print_type(std::string& out, std::size_t i, std::string_view own) {
         if (all_[i + 1] == "(") return print_constructor(out, i, own);
         if (all_[i + 1].kind != piece::word) unknown(language_.name, all_[i + 1].text);
@@ -136,7 +137,7 @@ private:
         return count;
     }
 
-    /// A name, a number, a call or a component of those: nothing that a cast would have to be kept from.
+    /// True for a name, a number, a call or a component of those: a cast needs no brackets around it.
     [[nodiscard]] bool is_operand(std::size_t from, std::size_t to) const {
         for (std::size_t i = from; i < to; ++i) {
             if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i, language_.name);
@@ -145,7 +146,7 @@ private:
         return true;
     }
 
-    /// What a matrix times something is hangs on its rows and columns; snippets write the columns out.
+    /// Refuses a product with a matrix, which depends on rows and columns. Snippets write the columns out.
     void refuse_matrix(std::size_t i) const {
         for (const token* t : {&all_[i > 0 ? i - 1 : 0], &all_[i + 1]})
             if (is_matrix(type_of(t->text)) && !(all_[i + 2] == "["))
@@ -157,7 +158,7 @@ private:
             if (v.name == name) return v.type;
         return {};
     }
-    /// A word that a map fills in.
+    /// True for a word that a map fills in.
     [[nodiscard]] static bool is_of_a_map(std::string_view word) {
         static constexpr std::string_view all[]{"UMBRAGE_BORDER",       "UMBRAGE_COMPARE",      "UMBRAGE_DEPTH",
                                                 "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",   "UMBRAGE_GATHER_RED",

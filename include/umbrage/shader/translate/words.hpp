@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The part of GLSL that snippets are written in, and its words in the other languages. A word that is not here is the
-// text's own, or an error.
+// Vocabulary of snippets: the part of GLSL in which they are written, and its words in the other languages. Other words
+// are names of the text, or errors.
 //
 #pragma once
 
@@ -78,7 +78,7 @@ inline constexpr word vocabulary[]{
 };
 // clang-format on
 
-/// The row of a word of GLSL; nullptr: it is not one, or none that snippets may use.
+/// Row of a GLSL word. nullptr if it is no such word, or none that snippets may use.
 [[nodiscard]] inline const word* find_word(std::string_view glsl) {
     for (const word& w : vocabulary)
         if (w.glsl == glsl) return &w;
@@ -90,12 +90,13 @@ inline constexpr word vocabulary[]{
     return w && w->kind == word_kind::type;
 }
 
-/// Qualifiers of the snippets; a printer keeps or drops them.
+/// True for qualifiers of the snippets. A printer keeps or drops them.
 [[nodiscard]] constexpr bool is_qualifier(std::string_view glsl) {
     return glsl == "UMBRAGE_HIGHP" || glsl == "UMBRAGE_PRECISE";
 }
 
-/// @throws std::invalid_argument, naming the word
+/// Refuses an unknown word.
+/// @throws std::invalid_argument   always, with the word in its message
 [[noreturn]] inline void unknown(std::string_view language, std::string_view word) {
     umbrage::detail::refuse(std::string(language) + "::text", "source", "of words that the language has", word);
 }
