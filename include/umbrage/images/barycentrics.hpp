@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Where on a triangle a texel looks, for what interpolates after a camera pass.
+// Barycentric weights of texels on a triangle, to interpolate attributes after a camera pass.
 //
 //     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, triangle);
 //
-// The same for many texels of a triangle, with what they share computed once:
+// For many texels of one triangle, this computes what they share only once:
 //
 //     const umbrage::triangle_weights weights(size, mesh, world_to_clip, clip, triangle);
 //     for (int x = first; x < last; ++x) use(weights({x, y}));
@@ -29,7 +29,7 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage {
 
-/// Perspective-correct weights of a triangle's vertices at the centers of texels.
+/// Perspective-correct weights of a triangle's vertices at texel centers.
 class triangle_weights {
 public:
     /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
@@ -46,14 +46,16 @@ public:
         if (!finite) vertices_ = {};
     }
 
-    /// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets
-    ///              the weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
+    /// @return      weights that are not negative and sum to 1
+    /// @edge        texel that snapping moved out of the triangle: the weights of the nearest edge. Triangle seen
+    ///              edge-on or not finite: (1, 0, 0)
     /// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
     /// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
     [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
         const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
         const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
-        const double px = p.x - x * p.w, qx = q.x - x * q.w, rx = r.x - x * r.w;  // the center to each vertex, times w
+        const double px = p.x - x * p.w, qx = q.x - x * q.w,
+                     rx = r.x - x * r.w;  // from the center to each vertex, times w
         const double py = p.y - y * p.w, qy = q.y - y * q.w, ry = r.y - y * r.w;
         const double a = qx * ry - qy * rx, b = rx * py - ry * px, c = px * qy - py * qx, sum = a + b + c;
         const double side = sum < 0.0 ? -1.0 : 1.0;
@@ -69,7 +71,7 @@ private:
     std::array<glm::dvec4, 3> vertices_;
 };
 
-/// triangle_weights for a single texel.
+/// Weights of triangle_weights for a single texel.
 [[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
                                             clip_space clip, glm::ivec2 texel, unsigned triangle) {
     return triangle_weights(size, mesh, world_to_clip, clip, triangle)(texel);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Separable blur of images of one to four floats a texel, such as moments.
+// Separable blur of images with one to four floats per texel, such as moments.
 //
 //     umbrage::blur(moments, blurred, umbrage::make_gaussian_kernel(7, 1.5f));
 //
@@ -27,12 +27,12 @@
 
 namespace umbrage {
 
-/// A symmetric row of weights. Taps are odd: 2 * weights.size() - 1.
+/// Symmetric row of weights. The number of taps is odd: 2 * weights.size() - 1.
 struct blur_kernel {
-    std::vector<float> weights;  ///< that of the center, then those at distance 1, 2, ... on both sides
+    std::vector<float> weights;  ///< weight of the center, then those at distance 1, 2, ... on both sides
 };
 
-/// Row Taps - 1 of Pascal's triangle, divided by its sum: weights are exact.
+/// Binomial kernel: row Taps - 1 of Pascal's triangle, divided by its sum. Its weights are exact.
 /// @formula       weights[i] = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
 /// @exactness     A
 template <int Taps>
@@ -40,7 +40,7 @@ template <int Taps>
     static_assert(Taps >= 1 && Taps <= 25 && Taps % 2 == 1,
                   "an odd number up to 25: beyond, floats do not hold the weights");
     blur_kernel kernel{std::vector<float>(Taps / 2 + 1)};
-    double weight = std::ldexp(1.0, 1 - Taps);  // that of the outermost tap
+    double weight = std::ldexp(1.0, 1 - Taps);  // weight of the outermost tap
     for (int i = 0; i <= Taps / 2; ++i) {
         kernel.weights[static_cast<std::size_t>(Taps / 2 - i)] = static_cast<float>(weight);
         weight = weight * (Taps - 1 - i) / (i + 1);
@@ -48,10 +48,10 @@ template <int Taps>
     return kernel;
 }
 
-/// A Gaussian bell, sampled at the texels and divided by its sum.
-/// @param taps    odd, >= 1
+/// Gaussian kernel, sampled at the texels and divided by its sum.
+/// @param taps    number of taps, odd, >= 1
 /// @param sigma   standard deviation in texels, > 0; infinity gives equal weights
-/// @throws std::invalid_argument  otherwise
+/// @throws std::invalid_argument  taps even or below 1; sigma not above 0
 /// @formula       weights[i] = exp(-i^2 / (2 sigma^2)) / sum, in double
 /// @exactness     C: exp
 template <class = detail::on_use>
@@ -71,11 +71,11 @@ namespace detail {
 template <class T>
 inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float));
 
-/// 64 sums of taps; tap(i) is where those at distance i begin, i from -radius to radius.
+/// 64 weighted sums. tap(i) points to the first value at distance i, with i from -radius to radius.
 template <class Tap, std::size_t... I>
 UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to,
                                       std::index_sequence<I...>) {
-    // Pointers and weights are locals, which stay in registers: one loop holds all taps.
+    // Pointers and weights are locals, which stay in registers: one loop has all taps.
     const float* const center = tap(0);
     const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...},
         after{tap(static_cast<int>(I) + 1)...};
@@ -88,7 +88,7 @@ UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, floa
     }
 }
 
-/// The same for any number of sums.
+/// Any number of weighted sums, otherwise as blur_block.
 template <class Tap>
 UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap& tap, float* to, int count) {
     const float* const center = tap(0);
@@ -99,7 +99,7 @@ UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap
     }
 }
 
-/// A row; tap(i) is where the row at distance i begins, and `next` a row that will be needed after it.
+/// Weighted sums of a row. tap(i) points to the row at distance i, and `next` to a row that is needed after it.
 template <class Tap>
 UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width,
                                     const float* next = nullptr) {
@@ -130,7 +130,8 @@ UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap&
     });
 }
 
-/// Rows first <= y < last: each along y into a line, and that along x; one body for texels of any channels.
+/// Rows first <= y < last: each is blurred along y into a line, and that along x. One body serves any number of
+/// channels.
 template <class = on_use>
 void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int channels, int first,
                int last) {
@@ -160,17 +161,16 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
 
 }  // namespace detail
 
-/// Blurs along y, then along x. Outside the image, its border goes on.
+/// Blurs along y, then along x. Outside the image, its border is repeated.
 ///
 /// @param from      texels of float, vec2, vec3 or vec4
 /// @param to        same size and type, other pixels
-/// @param kernel    1 weight at least
+/// @param kernel    1 weight or more
 /// @param parallel  cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ, same pixels, or no weights
 /// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along y and then along x
-/// @exactness       B: every instruction set and any pieces give the bits of the written order, as long as the compiler
-///                  is not told that it may fuse a multiplication and an addition (-march with FMA without
-///                  -ffp-contract=off)
+/// @exactness       B: every instruction set and any pieces give the bits of the written order. The compiler must not
+///                  fuse multiplications and additions (-march with FMA needs -ffp-contract=off)
 template <class From, class T, class ParallelFor = serial>
 void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
     constexpr int channels = detail::float_channels<T>;
@@ -190,7 +190,7 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
              [&](int first, int last) { detail::blur_rows(floats_from, floats_to, kernel, channels, first, last); });
 }
 
-/// The same where one of the two is an image.
+/// Blur for arguments of which one or both are an image.
 template <class From, class To, class ParallelFor = serial>
 requires detail::some_image<From, To>
 void blur(const From& from, To&& to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Between which distances a camera sees anything, so that cascades cover no more than that.
+// Range of distances that a camera sees, so that cascades cover no more than that.
 //
 //     const auto seen = umbrage::measure_depths(camera_depths.view(), umbrage::cleared_depth(clip));
 //     const glm::vec2 range = umbrage::seen_range(seen, z_near, z_far, clip.direction);
@@ -27,13 +27,14 @@
 
 namespace umbrage {
 
-/// Least and greatest of some depths.
+/// Smallest and largest of some depths.
 struct depth_span {
     float least = detail::highest<float>, greatest = -least;
     [[nodiscard]] bool empty() const { return least > greatest; }
 };
 
-/// @param depths     any values; NaN and texels of the cleared depth, where nothing was drawn, do not count
+/// Smallest and largest depth of an image.
+/// @param depths     any values; NaN and texels of the cleared depth, where nothing was drawn, are skipped
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @exactness        A: selects, never computes
 /// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011
@@ -70,11 +71,11 @@ template <class ParallelFor = serial>
     return {detail::from_order_key(all.least), detail::from_order_key(all.greatest)};
 }
 
-/// Distances along a camera's axis between which its depths lie, and a thousandth more, which they may have lost to
-/// rounding.
+/// Range of distances along a camera's axis, from the depths it saw. It is wider by 1/1000, for rounding of the depths.
 /// @param seen             depths in [0, 1] of a perspective camera
-/// @param z_near, z_far    the camera's, 0 < z_near < z_far; z_far may be infinite
-/// @return                 x < y within z_near .. z_far: all of it where nothing is seen
+/// @param z_near, z_far    near and far plane of the camera, 0 < z_near < z_far; z_far may be infinite
+/// @return                 x < y within z_near .. z_far, world units
+/// @edge                   nothing seen: (z_near, z_far)
 template <real T>
 [[nodiscard]] glm::vec<2, T> seen_range(const depth_span& seen, T z_near, T z_far, depth_direction direction) {
     if (seen.empty()) return {z_near, z_far};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The depth pass of a dual paraboloid map on the CPU.
+// Depth pass of a dual paraboloid shadow map on the CPU.
 //
 //     for (int map : {0, 1}) umbrage::rasterize_dual_paraboloid(maps[map].view(), cut.view(), light, map);
 //
@@ -26,19 +26,19 @@ namespace umbrage {
 
 /// Renders distances from the light into one of its two maps.
 ///
-/// @param depth      of light.map_size^2 texels, cleared or of an earlier pass
-/// @param mesh       as tessellate cuts it: between its vertices places and distances are straight lines' here
-/// @param light      make_dual_paraboloid_light's
+/// @param depth      light.map_size^2 texels, cleared or from an earlier pass
+/// @param mesh       from tessellate: edges between its vertices are drawn as straight lines
+/// @param light      from make_dual_paraboloid_light
 /// @param map        0 or 1
 /// @throws std::invalid_argument  as rasterize_depth
-/// @exactness        of vertices C, square roots in double; then as rasterize_depth
+/// @exactness        vertices C: square roots in double. Then as rasterize_depth
 template <class ParallelFor = serial>
 void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, const light_space<float>& light, int map,
                                ParallelFor&& parallel = {}) {
     const glm::dvec3 position = -glm::dvec3(light.view[3]);
     const glm::dmat4 projection(light.projection);
     std::vector<glm::vec3> placed;
-    std::vector<bool> within;  // the map's square, out to whose edges its circle and border go
+    std::vector<bool> within;  // inside the map's square, which also contains its circle and border
     placed.reserve(mesh.positions.size());
     within.reserve(mesh.positions.size());
     for (const glm::vec3& p : mesh.positions) {
@@ -48,7 +48,7 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
     }
     std::vector<glm::uvec3> drawn;
     for (const glm::uvec3& t : mesh.triangles) {
-        bool is_drawn = false;  // not so with all vertices beyond the circle: directions there are a convex cone's
+        bool is_drawn = false;  // false with all vertices beyond the circle: directions there form a convex cone
         for (glm::length_t i = 0; i < 3; ++i) is_drawn = is_drawn || t[i] >= within.size() || within[t[i]];
         if (is_drawn) drawn.push_back(t);
     }

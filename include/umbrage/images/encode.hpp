@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
+// Encoding of whole depth images into texels, and decoding, about as fast as memory can be copied.
 //
 //     umbrage::image<glm::u8vec2> packed(depth.size());
 //     umbrage::encode(depth, packed, umbrage::rg<11>{});
 //
-// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own
-// that compilers can vectorise; any other type like them works as well.
+// Results have the same bits as the encoding's own encode and decode. Encodings of this library have loops that
+// compilers can vectorize. Any other type with the same functions works as well.
 #pragma once
 
 #include <umbrage/core/check.hpp>
@@ -20,14 +20,14 @@
 namespace umbrage {
 namespace detail {
 
-/// Runs loops of a codec. FMA, which AVX-512 brings along, changes no result of an exact codec.
+/// Runs the loops of a codec. FMA, which comes with AVX-512, changes no result of an exact codec.
 template <class Codec, class Body>
 void on_isa_of(const Codec&, const Body& body) {
     if constexpr (Codec::exact) on_best_isa(body);
     else on_best_isa_without_fma(body);
 }
 
-/// A row in blocks; what is left goes through copies as long as a block, by a conversion that may be another.
+/// Converts a row in blocks. The rest goes through copies of block length, by a conversion that may differ.
 template <class From, class To, class Convert, class ConvertRest>
 UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert,
                                        const ConvertRest& convert_rest) {
@@ -60,7 +60,7 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
                     in_place(from, texels_of_block);
                     stream_block(to, texels_of_block);
                 };
-                // What is left of a row is copied from where it is put: not past the cache.
+                // The rest of a row is copied from where it is put, so it does not bypass the cache.
                 for (int y = first; y < last; ++y) {
                     if (large) prefetch_rest(texels.row(y), depth.size.x);
                     if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, past_caches, in_place);
@@ -79,7 +79,7 @@ void decode_rows(image_view<const typename Codec::texel> texels, image_view<floa
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
         on_isa_of(codec, [&](auto) UMBRAGE_INLINE {
-            const Codec own = codec;  // as far as a compiler knows, depths may overwrite the other
+            const Codec own = codec;  // for the compiler, depths might overwrite the other one
             for (int y = first; y < last; ++y)
                 convert_row(texels.row(y), depth.row(y), depth.size.x,
                             [&](const auto* from, auto* to) UMBRAGE_INLINE { own.decode(from, to); });
@@ -89,9 +89,10 @@ void decode_rows(image_view<const typename Codec::texel> texels, image_view<floa
 
 }  // namespace detail
 
-/// @param depth      any values; what the encoding makes of them
-/// @param texels     same size, in memory of its own
-/// @param encoding   one of the library's (encodings.hpp), or a type like them: texel, encode, decode
+/// Encodes an image of depths.
+/// @param depth      any values; the encoding clamps them
+/// @param texels     receives the texels: same size, other memory
+/// @param encoding   one of this library (encodings.hpp), or any type with texel, encode, decode
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
 template <class Encoding, class ParallelFor = serial>
@@ -101,8 +102,9 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
     detail::encode_rows(depth, texels, detail::codec_of(encoding), parallel);
 }
 
+/// Decodes an image of texels.
 /// @param texels     any texels of the encoding
-/// @param depth      same size, in memory of its own
+/// @param depth      receives the depths: same size, other memory
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
 template <class Encoding, class ParallelFor = serial>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds of the texels that a filter may touch, for bounds_lit: made once a map, a texture with a fourth of its texels,
-// a sixteenth for filters that reach far.
+// Bounds of the texels that a filter may read, for the early exit of bounds_lit. Make them once per map. They have a
+// fourth of the map's texels, or a sixteenth for filters with a large radius.
 //
 //     const auto [bounds, place] = umbrage::make_filter_bounds(map.view(), filter.reach());
 //     float lit = umbrage::bounds_lit(umbrage::clamped(bounds), coord, depth - bias, place);
@@ -19,16 +19,17 @@
 namespace umbrage {
 
 struct filter_bounds {
-    image<glm::vec2> bounds;  ///< least and greatest; the least is a NaN where a texel is, the greatest where all are
-    glm::vec2 place;          ///< bounds_lit's
+    image<glm::vec2> bounds;  ///< smallest and largest depth; x is NaN where a texel is, y where all are
+    glm::vec2 place;          ///< for bounds_lit
 };
 
-/// @param map       depths, any values
-/// @param reach     of the filter, in texels, 0 .. 256
-/// @param direction of the map's depth
-/// @param parallel  cuts the rows into pieces, see parallel.hpp
-/// @param outside   what texels outside the map count as, for the filter as for its bounds
-/// @throws std::invalid_argument  empty map, another reach
+/// Bounds of a map's texels for a filter.
+/// @param map        depths, any values
+/// @param reach      filter radius in texels (filter.reach()), 0 .. 256
+/// @param direction  depth direction of the map
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @param outside    value of texels outside the map, the same as for the filter
+/// @throws std::invalid_argument  empty map; reach out of range
 /// @exactness       A: selects, never computes
 template <class ParallelFor = serial>
 [[nodiscard]] filter_bounds make_filter_bounds(image_view<const float> map, float reach,

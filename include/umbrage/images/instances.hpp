@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which instances of a mesh a map has to draw: a cascade's holds a small part of the world, and most casters lie beside
-// it.
+// Culling of instances against a shadow map. The map of a cascade covers a small part of the world, and most casters
+// are outside.
 //
 //     const umbrage::bounding_box<float> box = umbrage::bounds_of(tree);  // once
 //     for (const auto& c : cascades) {
@@ -32,9 +32,9 @@
 
 namespace umbrage {
 
-/// The box around a mesh's positions.
-/// @param mesh   positions that are not finite do not count, as the depth pass leaves their triangles out
-/// @return       low above high where there is none: nothing is then drawn, and corners() refuses it
+/// Bounding box of a mesh's positions.
+/// @param mesh   positions that are not finite are skipped, as the depth pass skips their triangles
+/// @edge         no position: low above high. Nothing is then drawn, and corners() refuses the box
 template <class = detail::on_use>
 [[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
     bounding_box<float> box{glm::vec3(detail::highest<float>), glm::vec3(-detail::highest<float>)};
@@ -45,8 +45,9 @@ template <class = detail::on_use>
 
 namespace detail {
 
-/// Whether a body, within a box around its middle, may mark a texel; the rest as for umbrage::may_mark.
-/// @param reach   dvec3 normal -> how far the body goes from its middle along it, times its length
+/// True when a body within a box may mark a texel. Other parameters as for umbrage::may_mark.
+/// @param middle, half   center and half size of the box
+/// @param reach          dvec3 normal -> extent of the body from its center along the normal, times its length
 template <class Reach>
 [[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,
                             const glm::mat4& to_clip, clip_space clip, near_plane at_near) {
@@ -58,7 +59,7 @@ template <class Reach>
         return glm::dot(glm::abs(glm::dvec3(row)), glm::abs(middle) + half) + glm::abs(row.w);
     };
     const double of_w = magnitude(rows[3]);
-    // All of it where a multiple of w and another of a row sum to less than 0.
+    // The body is outside if a multiple of w plus a multiple of a row is below 0 for all of it.
     const auto beyond = [&](double w, glm::length_t row, double sign) {
         const glm::dvec4 plane = rows[3] * w + rows[row] * sign;
         const double farthest = glm::dot(glm::dvec3(plane), middle) + plane.w + reach(glm::dvec3(plane));
@@ -72,15 +73,16 @@ template <class Reach>
 
 }  // namespace detail
 
-/// Whether a mesh within bounds may mark a texel of a map: false only where all of it lies beyond one side, beyond the
-/// far plane, behind the eye, or, if that clips, before the near plane. Where the near plane clamps, casters between
-/// it and the light stay.
+/// True when a mesh within the bounds may mark a texel of a map.
 ///
-/// @param bounds    in the mesh's own space; low above high, or a radius below 0: there is nothing, false; not finite:
-///                  anything may be there, true
-/// @param to_clip   model_to_clip, or any matrix that the mesh is drawn with; not finite: nothing is drawn, false
-/// @param at_near   as the depth pass has it
-/// @exactness       conservative: with 2^-20 to spare of the sums that a shader's floats round
+/// False only if all of it is beyond one side, beyond the far plane, behind the eye, or in front of a near plane that
+/// clips. A near plane that clamps keeps casters between it and the light.
+/// @param bounds    in the mesh's space
+/// @param to_clip   model_to_clip, or any matrix with which the mesh is drawn
+/// @param at_near   as for the depth pass
+/// @edge            low above high, or a radius below 0: false, nothing is there. Bounds not finite: true. to_clip not
+///                  finite: false, nothing is drawn
+/// @exactness       conservative: with a margin of 2^-20 of the sums that a shader's floats round
 template <class = detail::on_use>
 [[nodiscard]] bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
                             near_plane at_near = near_plane::clips) {
@@ -98,11 +100,11 @@ template <class = detail::on_use>
     return detail::may_mark(glm::dvec3(bounds.center), glm::dvec3(radius), reach, to_clip, clip, at_near);
 }
 
-/// The instances that may mark a map, in their order: the depth pass of these has the bits of that of all.
-/// @param bounds          of the mesh: box or sphere
-/// @param instances       model to world, a matrix each
+/// Instances that may mark a map, in their order. The depth pass of these has the same bits as that of all.
+/// @param bounds          box or sphere around the mesh
+/// @param instances       model to world, one matrix each
 /// @param world_to_clip   projection * view
-/// The rest as for may_mark.
+/// Other parameters as for may_mark.
 template <class Bounds>
 [[nodiscard]] std::vector<glm::mat4> instances_in_map(const Bounds& bounds, std::span<const glm::mat4> instances,
                                                       const glm::mat4& world_to_clip, clip_space clip,

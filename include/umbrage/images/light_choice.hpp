@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Which of several maps serves a view best: a warp where it pays, a uniform map where it does not, and no flicker
+// Choice of the shadow map that serves a view best: a warp where it pays, a uniform map elsewhere, without flicker
 // between them.
 //
-//     // a receiver from each 64 pixels squared or so: what the camera saw a frame ago will do
+//     // one receiver in 64 x 64 pixels or so. Points that the camera saw a frame ago will do
 //     std::vector<umbrage::seen_point> seen = ...;
 //     const std::array lights{umbrage::fit_directional_light(tight), umbrage::fit_light_space_perspective(fit).light};
 //     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = pixels, .map_size = map.size()}, choice.kept);
@@ -29,7 +29,7 @@
 
 namespace umbrage {
 
-/// A point of a surface that the camera sees, world.
+/// Point of a visible surface, in world units.
 struct seen_point {
     glm::dvec3 position{0};
     glm::dvec3 normal{0, 1, 0};  ///< any length > 0
@@ -38,23 +38,23 @@ struct seen_point {
 struct choice_terms {
     glm::dmat4 to_pixels{1};  ///< world to pixels: texture_matrix of the camera
     glm::ivec2 map_size{1};   ///< texels, each >= 1
-    double better = 0.1;      ///< share by which another light has to be better before it takes over, 0 .. 1
+    double better = 0.1;      ///< share by which another light must be better to replace the present one, 0 .. 1
 };
 
 struct light_choice {
-    std::size_t kept = 0;     ///< which of the lights to take
-    std::vector<double> p95;  ///< of each: pixels that a texel's longer axis covers, at most, for 95 of 100 points;
-                              ///< the highest number where a map does not hold as many, 0 without points
+    std::size_t kept = 0;     ///< index of the light to use
+    std::vector<double> p95;  ///< per light: pixels that a texel's longer axis covers at 95 of 100 points, at most.
+                              ///< The largest double if the map has fewer of them, 0 without points
 };
 
-/// Measures each light over the points, and keeps the one that it had unless another is better by a margin.
+/// Measures each light over the points. Keeps the present light unless another is better by a margin.
 ///
 /// @param lights   one or more, of any kinds
-/// @param seen     a coarse grid over the screen: some hundred points tell; those of surfaces parallel to the light
-///                 count for nothing
-/// @param before   which of the lights was taken last, light_choice::kept
-/// @throws std::invalid_argument  no lights, before beyond them, sizes below 1, better out of range, and matrices that
-///                                are not finite
+/// @param seen     coarse grid of points over the screen; some hundred suffice. Surfaces parallel to the light are
+///                 skipped
+/// @param before   index of the present light: light_choice::kept
+/// @throws std::invalid_argument  no lights; before out of range; map_size below 1; better out of range; a matrix that
+///                                is not finite
 template <real T>
 [[nodiscard]] light_choice choose_light(std::span<const light_space<T>> lights, std::span<const seen_point> seen,
                                         const choice_terms& terms, std::size_t before = 0) {

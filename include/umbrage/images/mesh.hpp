@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the depth pass draws: triangles, once or as instances, each under its matrix.
+// Meshes for the depth pass: triangles, drawn once or as instances, each with its matrix.
 //
 //     umbrage::mesh_view mesh{positions, triangles};
 //
@@ -17,26 +17,27 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage {
 
-/// Triangles that somebody else owns: three indices into the positions each.
+/// Triangles with three indices into the positions each. The view does not own them.
 struct mesh_view {
     std::span<const glm::vec3> positions;
     std::span<const glm::uvec3> triangles;
 };
 
-/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up, as in most right-handed
-/// worlds; where it goes clockwise, as in most left-handed ones, front and back change places.
+/// Faces to leave out. Front faces are counter-clockwise in NDC with x to the right and y up, as in most right-handed
+/// worlds. In most left-handed worlds they are clockwise: exchange front and back there.
 enum class cull_mode { none, front, back };
 
-/// What becomes of what lies before the near plane: it is clipped off, or drawn with that plane's depth, so that
-/// casters between the light and a near plane at the receivers still cast. GPUs' depth clamp, but that the far plane
-/// still clips. A clamped caster has the near plane's depth: a receiver nearer to that plane than its bias is lit
-/// whatever stands before it. Fits without casters need a margin above the greatest bias.
+/// Treatment of casters in front of the near plane: clipped, or clamped to the near plane (pancaking).
+///
+/// Clamped casters between the light and a near plane at the receivers still cast shadows. GPUs call it depth clamp,
+/// but here the far plane still clips. A clamped caster has the near plane's depth. A receiver nearer to that plane
+/// than its bias is lit behind any such caster. Fits without casters need a margin above the largest bias.
 enum class near_plane { clips, clamps };
 
-/// The matrix that an instance of a mesh is drawn with.
+/// Matrix with which an instance of a mesh is drawn.
 /// @param model       model to world
-/// @exactness         the product in double, rounded once: far from the world's origin a float product would lose what
-///                    subtracting the camera's or the light's place leaves
+/// @exactness         the product in double, rounded once. Far from the world's origin a float product would lose the
+///                    digits that remain after the camera's or the light's position is subtracted
 template <class = detail::on_use>
 [[nodiscard]] glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
     return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
+// Minimum and maximum depth of every square of 2 x 2, 4 x 4, ... texels of a map: a min-max pyramid (Hi-Z).
 //
 //     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
-//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
+// minimum of the 4 x 4 texels around `texel`
 //
 #pragma once
 
@@ -22,15 +22,15 @@
 
 namespace umbrage {
 
-/// One level: an element for each square, those at the far borders cut off by them.
+/// One level: an element per square. Squares at the far borders are cut off by them.
 struct depth_bounds {
     image<float> least;     ///< NaN where a texel is NaN
-    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
+    image<float> greatest;  ///< over the texels that are numbers; NaN where none is
 };
 
 namespace detail {
 
-/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
+/// Each element from 2 x 2, in blocks of 64. Beyond a border, values are repeated. The two images may be one.
 template <class ParallelFor>
 void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
     const glm::ivec2 size = to.least.size();
@@ -79,11 +79,12 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
 
 }  // namespace detail
 
+/// Min-max pyramid of a map.
 /// @param map       depths, any values
-/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
+/// @param levels    number of levels: the first has squares of 2 x 2 texels, each next one of twice the side
 /// @param parallel  cuts the rows into pieces, see parallel.hpp
-/// @return          as many levels; a level of a single element is followed by more of them
-/// @throws std::invalid_argument  empty map, or negative levels
+/// @return          the levels; a level of a single element is followed by others of a single element
+/// @throws std::invalid_argument  empty map; negative levels
 /// @exactness       A: selects, never computes
 template <class ParallelFor = serial>
 [[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Summed-area tables of a shadow map's four moments, and visibility of whole images from them.
+// Summed-area table (SAT) of a shadow map's four moments, and visibility of whole images from it.
 //
 //     umbrage::moment_table of{.radius = 16};
 //     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, of);
 //     umbrage::visibility(table, of, receivers, 16, out);
 //
-// A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
+// A box of 33 x 33 texels costs as much as one of 3 x 3, and less light bleeds than with variance_table.hpp.
 #pragma once
 
 #include <cstdint>
@@ -25,21 +25,21 @@
 
 namespace umbrage {
 
-/// What a table is made for.
+/// Settings of a table.
 struct moment_table {
-    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
+    int radius = 16;  ///< radius of the largest box, texels: 2 radius + 1 per side
     glm::vec2 bias = msm_bias_16;
     depth_direction direction = depth_direction::forward;
 };
 
-/// Sums of a map's moments for summed_moments.
+/// Sums of a map's moments, for summed_moments.
 ///
 /// @param map         depths; NaN counts as far
-/// @param of          the largest box, n texels of it within the map
-/// @return            two halves, each with one column and row more than the map: sums of 65535
-///                    to_optimized_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16,
-///                    and over 2^16
-/// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
+/// @param of          settings. The largest box has n texels within the map
+/// @return            two halves, each with one column and row more than the map. A texel has the sum of 65535
+///                    to_optimized_moments(encode_msm), rounded, over all texels before its column and row: modulo 2^16
+///                    on the left, over 2^16 on the right
+/// @throws std::invalid_argument  empty map; radius out of range; 65535 n >= 2^32, where the sum over a box would wrap
 template <class ParallelFor = serial>
 [[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
                                                     ParallelFor&& parallel = {}) {
@@ -78,11 +78,11 @@ template <class ParallelFor = serial>
 /// Visibility from a table: summed_moments of each receiver.
 ///
 /// @param table, of   from make_moment_table
-/// @param receivers   (x, y) in texels of the map, z depth, biased
-/// @param radius      of the box, at most the table's
-/// @param out         visibility, 1 lit; same size as receivers
-/// @param outside     bordered: outside the map all is lit; clamped: as at its edge
-/// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
+/// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
+/// @param radius      radius of the box in texels, at most the table's
+/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
+/// @throws std::invalid_argument  sizes differ; a table without two halves; radius below 0 or above the table's
 template <class ParallelFor = serial>
 void visibility(image_view<const glm::u16vec4> table, const moment_table& of, image_view<const glm::vec3> receivers,
                 int radius, image_view<float> out, ParallelFor&& parallel = {},

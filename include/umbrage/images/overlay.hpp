@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
+// Overlay of a shadow map in the corner of a rendered picture, for debugging, with stretched contrast.
 //
 //     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
 //     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
@@ -28,7 +28,7 @@
 
 namespace umbrage {
 
-/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
+/// Mapping of low..high to 0..1. Clamps values outside, and returns 1 for NaN.
 struct contrast_stretch {
     float low = 0.0f, high = 1.0f;
 
@@ -38,11 +38,12 @@ struct contrast_stretch {
     }
 };
 
-/// The range that a map's depths fill, without the texels that nothing was drawn to.
+/// Range of a map's depths, without the texels to which nothing was drawn.
 ///
-/// @param cleared   texels of this value are left out, as are NaN and the infinities
-/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
-/// @return      0..1 when no texel is left
+/// @param cleared   texels of this value are skipped, as are NaN and infinities
+/// @param outliers  share of the depths to drop at each end, 0 <= outliers < 1/2
+/// @return          the range
+/// @edge            no texel left: 0..1
 /// @throws std::invalid_argument  outliers out of range
 template <class = detail::on_use>
 [[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
@@ -60,18 +61,17 @@ template <class = detail::on_use>
     return {ranked(depths.begin() + given_up), ranked(depths.end() - 1 - given_up)};
 }
 
-/// Where an overlay goes: the top left corner, as people see it.
+/// Placement of an overlay: its size, and the row order of both images. It goes to the visible top left corner.
 struct overlay_placement {
-    glm::ivec2 size{0, 0};                                ///< in texels of the picture; a zero takes the map's own side
-    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
-    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
+    glm::ivec2 size{0, 0};                                ///< in texels of the picture; 0 stands for the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< place of row 0 of the map
+    texture_origin picture_origin = texture_origin::top;  ///< place of row 0 of the picture; at the top in image files
 };
 
-/// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
-/// What does not fit is cut off.
+/// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off what does
+/// not fit.
 ///
-/// @param color   float -> color, given the map's texels as they are: a float is a gray, a vec3 red, green and blue,
-///                all in [0, 1]
+/// @param color   color of a map's texel, from float: a float (gray) or a vec3 (red, green, blue), in [0, 1]
 /// @throws std::invalid_argument  negative size
 template <class Color>
 void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,

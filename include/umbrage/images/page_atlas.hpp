@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Adaptive shadow maps over images: the depth pass of pages into an atlas, the table that finds them, and a whole image
-// of receivers against both.
+// Virtual shadow map pages (adaptive shadow map) over images: the depth pass of pages into an atlas, the page table,
+// and the visibility of whole images of receivers.
 //
 //     umbrage::image<float> atlas(umbrage::page_atlas_size(cache, size), umbrage::cleared_depth(clip));
 //     umbrage::draw_pages(atlas, size, root, cache.update(receivers).drawn, [&](auto map, const glm::mat4& to_clip) {
@@ -31,23 +31,23 @@
 
 namespace umbrage {
 
-/// Texels of an atlas with a slot for every page that a cache may hold.
+/// Size in texels of an atlas with a slot for every page that a cache may hold.
 [[nodiscard]] inline glm::ivec2 page_atlas_size(const page_cache& cache, const page_size& size) {
     return cache.budget().slots * size.pitch();
 }
 
-/// Texels of a table with one for each of a cache's finest cells, and one around them.
+/// Size in texels of a table: one for each of a cache's finest cells, and one around them.
 [[nodiscard]] inline glm::ivec2 page_table_size(const page_cache& cache) {
     return glm::ivec2((1 << cache.budget().deepest_level) + 2);
 }
 
 /// Clears pages and draws them.
 ///
-/// @param root    in double, from which matrices of pages are made and rounded once
-/// @param pages   what page_cache::update gives
-/// @param draw    (image_view<float> map, const glm::mat4& world_to_clip): a depth pass under root.clip; called once
-///                for each page, with its gutter
-/// @throws std::invalid_argument  a slot beyond the atlas, and what page_light complains of
+/// @param root    in double: matrices of pages are made from it and rounded once
+/// @param pages   from page_cache::update
+/// @param draw    depth pass under root.clip: (image_view<float> map, const glm::mat4& world_to_clip). Called once per
+///                page, with its gutter
+/// @throws std::invalid_argument  a slot outside the atlas; as page_light
 template <class Draw>
 void draw_pages(image_view<float> atlas, const page_size& size, const light_space<double>& root,
                 std::span<const placed_page> pages, Draw&& draw) {
@@ -59,9 +59,9 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
     }
 }
 
-/// The finest page of each cell.
-/// @param table   of page_table_size, gets a page_entry for each of the cache's finest cells, row 1 the root's first;
-///                no page, and around the root: zeros
+/// Writes the finest page of each cell to a table.
+/// @param table   of page_table_size. Receives a page_entry for each of the cache's finest cells; row 1 is the root's
+///                first. Cells without a page, and those around the root, are zero
 /// @throws std::invalid_argument  a table of another size
 inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
     detail::require_size(table.size, page_table_size(cache), "write_page_table", "table.size", "page_table_size");
@@ -73,11 +73,11 @@ inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> ta
     });
 }
 
-/// What a receiver's page is found in.
+/// Atlas and table in which a receiver's page is found.
 template <class Texel>
 struct page_map {
     image_view<const Texel> atlas;
-    image_view<const glm::u8vec4> table;  ///< of page_entry, a power of two and 2 a side
+    image_view<const glm::u8vec4> table;  ///< page_entry texels; its side is a power of two plus 2
     page_size size{};
 };
 
@@ -112,15 +112,16 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 
 }  // namespace detail
 
-/// @param map         atlas, table and the pages' size, which draw_pages and write_page_table were given
-/// @param encoding    how the atlas' texels hold depth, and which way it runs; its edge decides ties
-/// @param receivers   (x, y) from 1 to 2 across the root, z depth, biased; what has no page, and what lies beside the
-///                    root, is lit
-/// @param filter      as for visibility of a single map; it does not read beyond a page and its gutter
-/// @param out         visibility, 1 lit; same size as receivers
+/// Visibility from virtual shadow map pages.
+/// @param map         atlas, table and page size, as for draw_pages and write_page_table
+/// @param encoding    encoding of the atlas' texels, with the depth direction. Its edge decides ties
+/// @param receivers   (x, y) from 1 to 2 across the root, z depth with the bias already applied
+/// @param filter      as for visibility of a single map. It does not read beyond a page and its gutter
+/// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ, a table that is no square of a power of two and 2 or has slots
-///                                beyond the atlas, a gutter below the filter's reach
+/// @edge              receiver without a page, or outside the root: lit
+/// @throws std::invalid_argument  sizes differ; a table whose sides are not a power of two plus 2, or with slots
+///                                outside the atlas; a gutter below the filter's reach
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,

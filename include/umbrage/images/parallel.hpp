@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How image functions use threads: they have none, and ask the caller's scheduler.
+// Threads for image functions, from the caller's scheduler: the library starts none.
 //
 //     auto parallel_for = [&](int count, auto&& piece) {
 //         tbb::parallel_for(tbb::blocked_range<int>(0, count),
@@ -8,14 +8,14 @@
 //     };
 //     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
 //
-// parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
-// threads, and returns when all are done. Pieces are bands of rows, or strips of columns; no way to cut them changes a
-// bit.
+// parallel_for(count, piece) must call piece(first, last) so that the pieces cover 0 .. count once, in any order and on
+// any threads. It returns when all are done. Pieces are bands of rows, or strips of columns. The result has the same
+// bits for all pieces.
 #pragma once
 
 namespace umbrage {
 
-/// The default: everything in one piece, on the caller's thread.
+/// Default: everything in one piece, on the caller's thread.
 struct serial {
     template <class Piece>
     void operator()(int count, Piece&& piece) const {
@@ -25,7 +25,7 @@ struct serial {
 
 namespace detail {
 
-/// By the caller's scheduler, unless there is only one piece, for which it would start threads in vain.
+/// Runs pieces on the caller's scheduler. A single piece runs directly, since threads would not help.
 template <class ParallelFor, class Piece>
 void in_pieces(int count, ParallelFor&& parallel, const Piece& piece) {
     if (count == 1) piece(0, 1);

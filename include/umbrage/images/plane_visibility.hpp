@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// A whole image of receivers against a shadow map, each along its own plane: no reach of a filter needs a bias. It is
-// the bias for contact hardening (PCSS, DPCF), whose radius differs from receiver to receiver.
+// Receiver plane depth bias over whole images: each receiver is compared along its own plane, so no filter radius needs
+// another bias. Use it for contact hardening (PCSS, DPCF), whose radius differs from receiver to receiver.
 //
 //     umbrage::sloped_receivers receivers{{x, y, depth}, slope_x, slope_y};  // plane_slope of each receiver
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::pcss{.softness = soft}, out);
 //
-// Bit for bit what the filter gives for each receiver alone over apply_receiver_plane(fetch, slope, coord).
+// Results have the same bits as the filter for each receiver alone over apply_receiver_plane(fetch, slope, coord).
 #pragma once
 
 #include <umbrage/bias/receiver_plane.hpp>
@@ -18,8 +18,8 @@ namespace umbrage {
 
 /// Receivers with their planes, as five images of one size.
 struct sloped_receivers {
-    receiver_planes at;                        ///< x and y in texels of the map, depth with a bias for rounding alone
-    image_view<const float> slope_x, slope_y;  ///< change of depth from one texel to the next: plane_slope
+    receiver_planes at;                        ///< x and y in texels of the map, depth with a bias for rounding only
+    image_view<const float> slope_x, slope_y;  ///< change of depth per texel: plane_slope
 };
 
 namespace detail {
@@ -31,7 +31,7 @@ namespace detail {
     return size;
 }
 
-/// A block of them.
+/// Block of receivers with their planes.
 struct sloped_rows : receiver_rows {
     const float *first_slope_x, *first_slope_y;
     [[nodiscard]] UMBRAGE_INLINE float slope_x(int i) const { return first_slope_x[i]; }
@@ -50,17 +50,17 @@ UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_wa
 
 }  // namespace detail
 
-/// Visibility of receivers along their planes: of the filter over apply_receiver_plane(fetch, slope, coord), for each.
+/// Visibility of receivers along their planes, with the filter over apply_receiver_plane(fetch, slope, coord) for each.
 ///
-/// @param map         shadow map, texels of the encoding; of a spot light z/w, in which a plane stays a plane
-/// @param encoding    how the map's texels hold depth, and which way it runs
+/// @param map         shadow map, texels of the encoding. For a spot light z/w, in which a plane stays a plane
+/// @param encoding    encoding of the map's texels, with the depth direction
 /// @param receivers   with the slopes of their planes
-/// @param filter      as for visibility of receivers without planes. Callables of your own, filters::four_tap and
+/// @param filter      as for visibility of receivers without planes. Your own callables, filters::four_tap and
 ///                    pcf_2x2_dx_sdk are called receiver by receiver: many times slower than the others
-/// @param out         visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
-/// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
-/// @throws std::invalid_argument  sizes differ, an empty map
+/// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
+/// @throws std::invalid_argument  sizes differ; an empty map
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const sloped_receivers& receivers, const Filter& filter, image_view<float> out,
@@ -82,7 +82,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     };
     bool done = false;
     if constexpr (detail::has_plane_form<Filter>) {
-        // a texel that is clamped keeps its own place on the plane
+        // a clamped texel keeps its own place on the plane
         const detail::map_edge edge(alone, filter.reach(), map.size, true, has_border);
         done = detail::filter_by_form<detail::plane_form<Filter>>(map, encoding, receivers, directed, direction, edge,
                                                                   out, parallel);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole prefiltered maps: depth to moments, their mip chain, and what an image of receivers sees of them.
+// Prefiltered shadow maps (VSM, ESM, EVSM, MSM) over images: depth to moments, mip chain, and visibility of receivers.
 //
 //     const umbrage::prefilters::vsm filter{.min_variance = 1e-5f};
 //     umbrage::image<glm::vec2> moments(depth.size()), blurred(depth.size());
@@ -34,7 +34,7 @@
 namespace umbrage {
 namespace detail {
 
-/// A block of texels, channel after channel: only so do loops over them vectorise.
+/// Block of texels, channel after channel. Only in this layout do loops over them vectorize.
 template <class Texel>
 struct texel_planes {
     static constexpr int channels = static_cast<int>(sizeof(Texel) / sizeof(float));
@@ -57,7 +57,7 @@ struct texel_planes {
     }
 };
 
-/// fetch_bilinear for a block of receivers, channel after channel; those that are not compared get some texel.
+/// fetch_bilinear for a block of receivers, channel after channel. Receivers outside the filter domain get any texel.
 template <class Texel>
 struct bilinear_block {
     static constexpr int channels = texel_planes<Texel>::channels;
@@ -117,8 +117,8 @@ UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_pla
     for (int i = 0; i < block; ++i) visibility[i] = filter.decode(means[i], depths[i]);
 }
 
-/// decode_msm in three loops: compilers vectorise none that takes a root, as it may set errno. What knows more of the
-/// depths goes on from there in one of its own.
+/// decode_msm in three loops. Compilers do not vectorize a loop with a root, which may set errno. Filters that know
+/// more of the depths continue in a loop of their own.
 template <class Prefilter>
 requires requires(const Prefilter& f, typename Prefilter::texel t) { f.moments(t); }
 UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
@@ -174,12 +174,13 @@ void decode_image(image_view<const typename Prefilter::texel> map, const Prefilt
 
 }  // namespace detail
 
-/// @param depth      any values; clamped to [0, 1], NaN counts as far
-/// @param texels     same size
-/// @param filter     one of prefilters::, or a type like them: texel, encode
+/// Moments of an image of depths.
+/// @param depth      in [0, 1]; clamped, NaN counts as far
+/// @param texels     receives the moments; same size
+/// @param filter     one of prefilters::, or any type with texel and encode
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
-/// @exactness        the filter's encode, bit for bit
+/// @exactness        the bits of the filter's encode
 template <class Prefilter, class ParallelFor = serial>
 void encode_moments(image_view<const float> depth, image_view<typename Prefilter::texel> texels,
                     const Prefilter& filter, ParallelFor&& parallel = {}) {
@@ -201,12 +202,13 @@ void encode_moments(image_view<const float> depth, image_view<typename Prefilter
     });
 }
 
-/// @param texels     of a prefiltered map: float, vec2, vec4
-/// @param levels     how many: the first has half the size, rounded up, each next one half of that
+/// Mip chain of a prefiltered map.
+/// @param texels     texels of the map: float, vec2, vec4
+/// @param levels     number of levels: the first has half the size, rounded up, each next one half of that
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @return           as many levels; a level of a single texel is followed by more of them
-/// @throws std::invalid_argument  empty map, or negative levels
-/// @exactness        halve_texels, bit for bit
+/// @return           the levels; a level of a single texel is followed by others of a single texel
+/// @throws std::invalid_argument  empty map; negative levels
+/// @exactness        the bits of halve_texels
 template <class Texel, class ParallelFor = serial>
 [[nodiscard]] std::vector<image<std::remove_const_t<Texel>>> make_mip_chain(image_view<Texel> texels, int levels,
                                                                             ParallelFor&& parallel = {}) {
@@ -234,14 +236,14 @@ template <class Texel, class ParallelFor = serial>
 
 /// Visibility from a prefiltered map.
 ///
-/// @param map        of the filter's texels, blurred
-/// @param filter     as encode_moments had it
-/// @param receivers  (x, y) in texels of the map, z depth, biased
-/// @param out        visibility, 1 lit; same size as receivers
+/// @param map        the filter's texels, blurred
+/// @param filter     same as for encode_moments
+/// @param receivers  (x, y) in texels of the map, z depth with the bias already applied
+/// @param out        receives visibility, 1 lit; same size as receivers
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @param outside    bordered: outside the map all is lit; clamped: as at its edge
-/// @throws std::invalid_argument  sizes differ, or the map is empty
-/// @exactness        the filter's decode of fetch_bilinear, bit for bit; who is not compared is lit
+/// @param outside    bordered: everything outside the map is lit. clamped: as at the map's edge
+/// @throws std::invalid_argument  sizes differ; an empty map
+/// @exactness        the bits of the filter's decode of fetch_bilinear; receivers outside the filter domain are lit
 template <class Prefilter, class ParallelFor = serial>
 void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
                 image_view<const glm::vec3> receivers, image_view<float> out, ParallelFor&& parallel = {},
@@ -249,7 +251,7 @@ void visibility(image_view<const typename Prefilter::texel> map, const Prefilter
     detail::decode_image(map, filter, receivers, out, parallel, outside);
 }
 
-/// Receivers as a structure of arrays.
+/// Visibility of receivers as a structure of arrays.
 template <class Prefilter, class ParallelFor = serial>
 void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
                 const receiver_planes& receivers, image_view<float> out, ParallelFor&& parallel = {},
@@ -257,7 +259,7 @@ void visibility(image_view<const typename Prefilter::texel> map, const Prefilter
     detail::decode_image(map, filter, receivers, out, parallel, outside);
 }
 
-/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
+/// Visibility of receivers from a camera's depth image: of receiver_at for each of its texels.
 template <class Prefilter, class ParallelFor = serial>
 void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
                 const depth_receivers& receivers, image_view<float> out, ParallelFor&& parallel = {},

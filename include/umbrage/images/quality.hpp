@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How good a light's setup is for a view: pixels that a texel's longer axis covers, 1 or less where the map resolves
-// what the screen does.
+// Quality of a light setup for a view: screen pixels covered by the longer axis of a shadow map texel. At 1 or less the
+// map resolves as much as the screen.
 //
 //     const glm::mat4 to_texels = umbrage::texture_matrix(light, map_size);
 //     float pixels = umbrage::longest_extent(umbrage::pixels_per_texel(to_texels, to_pixels, position, normal));
@@ -22,13 +22,13 @@
 
 namespace umbrage {
 
-/// How far on the screen a texel's step goes.
+/// Extent of a texel's step on the screen, in pixels.
 ///
-/// @param texture_matrix   world to texels: the light's
+/// @param texture_matrix   world to texels, of the light
 /// @param to_pixels        world to pixels: texture_matrix of the camera
-/// @param world, normal    a point before both, and its surface's normal there, of any length > 0
-/// @return                 columns: the pixels of a step of one texel in x and in y; not finite where the surface is
-///                         parallel to the light
+/// @param world, normal    a point in front of both, and its surface's normal there, of any length > 0
+/// @return                 columns: pixels of a step of one texel in x and in y
+/// @edge                   surface parallel to the light: not finite
 /// @formula                d(pixel) / d(texel) on the plane through the point
 template <real T>
 [[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
@@ -45,14 +45,14 @@ template <real T>
     return steps(to_pixels) * back;
 }
 
-/// The longer axis of a texel's image on the screen, an ellipse's.
-/// @param pixels   pixels_per_texel
-/// @return         its greatest singular value
+/// Longer axis of the ellipse that a texel covers on the screen, in pixels.
+/// @param pixels   from pixels_per_texel
+/// @return         its largest singular value
 /// @formula        s^2 = (t + sqrt(t^2 - 4 det^2)) / 2, t the sum of the squares
 template <real T>
 [[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
     const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
-    // t +- 2 det as sums of squares, of which no difference loses digits
+    // t +- 2 det as sums of squares: no difference loses digits
     return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
 }
 

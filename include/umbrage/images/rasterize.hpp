@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
+// Depth pass on the CPU: triangles into a depth image. Each sample on a shared edge is covered exactly once.
 //
 //     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
 //     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
 //     umbrage::rasterize_depth(map, tree, model_matrices, world_to_clip, clip);  // a forest; culled: see instances.hpp
 //
-// A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
+// A camera pass keeps the nearest triangle per texel and interpolates afterwards:
 //
 //     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
 //         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
 //     });
 //     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
 //
-// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centers, and ties go by the top-left
-// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
-// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads and no
-// instruction set changes a bit, nor does contraction to FMA, but that it may move a clipped triangle's cut by 1/256
-// texel.
+// Vertices are snapped to 1/256 texel, and edges are evaluated in integers at texel centers. Ties follow the top-left
+// rule, with top and left as in NDC for both texture origins. Depth is a plane with rounded coefficients, so that every
+// sample is computed exactly. No order of triangles or vertices, no threads and no instruction set changes a bit.
+// Contraction to FMA may only move a clipped triangle's cut by 1/256 texel.
 //
 #pragma once
 
@@ -59,17 +58,18 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
-/// @param depth          greatest side 16384; row 0 is where clip.origin says; empty: nothing happens
-/// @param mesh           triangles with a NaN or infinite position are left out, as all are if the matrix has one;
-///                       those of no area on the 1/256 texel grid cover nothing
+/// @param depth          largest side 16384; row 0 is where clip.origin says
+/// @param mesh           triangles with a NaN or infinite position are left out. Those without area on the 1/256 texel
+///                       grid cover nothing
 /// @param world_to_clip  projection * view
-/// @param clip           reversed: greater depths win
-/// @param cull           which faces to leave out
+/// @param clip           clip space of the light; with reversed depth, larger depths win
+/// @param cull           faces to leave out
 /// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
-/// @param at_near        what becomes of what lies before the near plane
-/// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above 16384
-/// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
-///              the far plane; never -0
+/// @param at_near        treatment of casters in front of the near plane
+/// @edge        empty image: nothing happens. world_to_clip not finite: nothing is drawn
+/// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above 16384
+/// @formula     the nearer of the stored depth and the plane's; in ties the later one (same bits). Nothing beyond the
+///              far plane, never -0
 /// @exactness   coverage A from the snapped vertices on; depth B, see images/raster/triangles.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
@@ -78,12 +78,11 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::
     detail::rasterize_depth(depth, mesh, {&world_to_clip, 1}, clip, cull, parallel, at_near);
 }
 
-/// The same for many instances of a mesh, whose vertices are not copied.
+/// Renders many instances of a mesh, whose vertices are not copied.
 ///
-/// @param instances   model to world, a matrix each; those that give a model_to_clip that is not finite draw nothing
-/// @exactness         the bits of a pass of the mesh under model_to_clip(world_to_clip, instance) for each, whatever
-///                    their order
-/// The rest as above.
+/// @param instances   model to world, one matrix each. Those whose model_to_clip is not finite draw nothing
+/// @exactness         the bits of one pass of the mesh under model_to_clip(world_to_clip, instance) each, in any order
+/// Other parameters as for the pass of a single mesh.
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
                      const glm::mat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
@@ -93,12 +92,12 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
     detail::rasterize_depth(depth, mesh, {to_clip.data(), to_clip.size()}, clip, cull, parallel, at_near);
 }
 
-/// The general form: one call for each covered sample between the near and the far plane, triangle by triangle.
+/// Calls a function for each covered sample between the near and the far plane, triangle by triangle.
 ///
-/// @param size    of the image in texels, each at most 16384
-/// @param sample  (glm::ivec2 texel, float depth, unsigned triangle); does the depth test. Where depths tie, a callee
-///                that wants results free of the triangles' order compares the triangles too
-/// The rest as for rasterize_depth.
+/// @param size    size of the image in texels, each side at most 16384
+/// @param sample  (glm::ivec2 texel, float depth, unsigned triangle); it does the depth test. For results that do not
+///                depend on the triangles' order, compare the triangles where depths tie
+/// Other parameters as for rasterize_depth.
 template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the
-// map, z depth, biased), three images of floats, or the depth image that a camera saw.
+// Receivers of a whole image, in the three forms that visibility() takes.
+//   image of vec3     x and y in texels of the map, z depth with the bias already applied
+//   receiver_planes   the same as three images of floats
+//   depth_receivers   the depth image that a camera rendered
 //
 //     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(clip_to_world, to_texels, size, clip), bias};
 //
@@ -19,27 +21,27 @@
 
 namespace umbrage {
 
-/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
+/// Receivers as three images of the same size: x and y in texels of the map, depth with the bias already applied.
 struct receiver_planes {
     image_view<const float> x, y, depth;
 };
 
 /// Receivers as a camera's depth image.
 struct depth_receivers {
-    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
-    glm::mat4 matrix;               ///< receiver_matrix
-    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
+    image_view<const float> depth;  ///< from the camera's depth pass, in [0, 1]
+    glm::mat4 matrix;               ///< from receiver_matrix
+    float bias = 0.0f;              ///< in depth of the map, subtracted from each receiver's
 };
 
-/// The way from a camera's depth image to the shadow map.
+/// Matrix from a camera's depth image to the shadow map.
 ///
 /// @param clip_to_world    inverse of the camera's projection * view
 /// @param texture_matrix   world to texels of the map
-/// @param size             of the depth image in texels, each >= 1
-/// @param clip             the camera's convention
-/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
-///                         the camera; the product is taken in double
-/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
+/// @param size             size of the depth image in texels, each >= 1
+/// @param clip             the camera's clip space
+/// @return                 maps (texel + 1/2, depth) to the result of shadow_coordinate, times a number that is
+///                         positive in front of the camera. The product is computed in double
+/// @throws std::invalid_argument  size below 1; a matrix that is not finite
 template <class = detail::on_use>
 [[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
                                         glm::ivec2 size, clip_space clip) {
@@ -60,8 +62,8 @@ template <class = detail::on_use>
     return m;
 }
 
-/// One receiver of a camera's depth image.
-/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
+/// Receiver from one texel of a camera's depth image.
+/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), minus bias in depth
 /// @exactness     C, as project_coordinate
 template <class = detail::on_use>
 [[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Summed-area tables: the sum over any rectangle of an image from four texels.
+// Summed-area table (SAT, integral image): the sum over any rectangle of an image from four texels.
 //
 //     umbrage::image<std::uint32_t> sums(values.size());
 //     umbrage::summed_area(values, sums);
 //     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
 //
-// Prefer integers: quantize depths or moments first. Their tables are exact, whatever the order; a table of floats
-// loses bits as it grows, and its differences lose more.
+// Prefer integers: quantize depths or moments first. Their tables are exact in any order. A table of floats loses bits
+// as it grows, and its differences lose more.
 #pragma once
 
 #include <algorithm>
@@ -31,19 +31,20 @@ UMBRAGE_STRICT_MATH
 namespace umbrage {
 namespace detail {
 
-/// Rows of a table that are summed from zero, then put on top of what is before them.
+/// Rows of a table that are summed from zero. They are then added to the sums before them.
 inline constexpr int band_rows = 64;
 
-/// Columns of the strips that threads take: whole blocks, alike wide, two strips or more where there are two blocks.
-/// Each row of a strip lies on a page of its own, so that narrow ones are slower.
+/// Columns of the strips that threads take: full blocks of equal width. There are two strips or more if there are two
+/// blocks. Each row of a strip is on its own memory page, so narrow strips are slower.
 [[nodiscard]] inline int columns_a_strip(int width) {
     constexpr int widest = 1024;
     const int strips = greater(2, (width + widest - 1) / widest);
     return ((width + strips - 1) / strips + block - 1) / block * block;
 }
 
-/// Rows of a strip, of one band. `line` holds the sums of what is above them in the band, and then down to there.
-/// @param before   of each row, the sum of all to the left of the strip, and then up to its end
+/// Rows of a strip, in one band. `line` holds the sums of the rows above them in the band, then those up to the last
+/// row.
+/// @param before   per row, the sum of all texels to the left of the strip, then the sum up to its end
 template <class From, class Sum>
 void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large, Sum* before, const Sum* base,
               Sum* line) {
@@ -54,7 +55,7 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large
             const int y_next = lesser(y + 1, size.y - 1);
             const From *from = values.row(y), *next_row = values.row(y_next);
             Sum* to = sums.row(y);
-            prefetch_line(sums.row(y_next));  // for its page's address: stores would wait for that
+            prefetch_line(sums.row(y_next));  // for the address of its page, which stores would wait for
             if (is_large && streams_to(to))
                 before[y] = sum_row<true, lanes>(from, next_row, before[y], base, line, to, size.x);
             else before[y] = sum_row<false, lanes>(from, next_row, before[y], base, line, to, size.x);
@@ -63,8 +64,8 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large
     if (is_large) finish_streaming();
 }
 
-/// The sums of each row up to where strips begin. Whoever has summed a strip gives them to who has the next one. Pieces
-/// run when and where a scheduler likes, so that none may wait for another: what is not there yet is added up again.
+/// Sums of each row up to where strips begin. The thread that has summed a strip passes them to the next one. Pieces
+/// run when and where a scheduler likes, so none may wait for another. A thread adds up again what is not there yet.
 template <class From, class Sum>
 class strip_starts {
 public:
@@ -76,7 +77,7 @@ public:
         rows_[0] = values.size.y;
     }
 
-    /// Of rows first <= y < last.
+    /// Sums of rows first <= y < last.
     void take(int strip, int first, int last, Sum* sums) const {
         int known = strip;
         while (load_acquire(rows_[std::size_t(known)]) < last) --known;
@@ -87,7 +88,7 @@ public:
             for (int y = first; y < last; ++y, ++sums) *sums = sum_of_row<lanes>(values_.row(y) + left, *sums, width);
         });
     }
-    /// The same, after those of the rows before.
+    /// Stores the sums of rows first <= y < last, after those of the rows before.
     void give(int strip, int first, int last, const Sum* sums) {
         std::copy_n(sums, last - first, sums_.data() + place_of(strip, first));
         store_release(last, rows_[std::size_t(strip)]);
@@ -100,22 +101,23 @@ private:
 
     image_view<const From> values_;
     int columns_;
-    std::vector<Sum> sums_;  // strip by strip, and one behind the last
-    std::vector<int> rows_;  // whose sums are there, set by one thread while others look
+    std::vector<Sum> sums_;  // strip by strip, and one after the last
+    std::vector<int> rows_;  // number of rows whose sums are there, set by one thread while others read it
 };
 
 }  // namespace detail
 
-/// Each texel: the sum of all in its row and the rows before, up to and including its column.
+/// Summed-area table: each texel is the sum of all texels in its row and the rows before, up to and including its
+/// column.
 ///
 /// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
 /// @param sums      same size, other pixels
-/// @param parallel  cuts strips of up to 1024 columns into pieces, see parallel.hpp; best in their order, one after the
-///                  other or side by side: others read some of the image twice or more
+/// @param parallel  cuts strips of up to 1024 columns into pieces, see parallel.hpp. Strips should run in order, or at
+///                  the same time. Other orders read some of the image twice or more
 /// @throws std::invalid_argument  sizes differ
 /// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
-///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
-///              to that the texel above, in bands of 64 rows; to that the last row of the bands before, added up
+///              (g1+g2)+g0, (g2+g3)+(g0+g1). Added to them are the last sums of the groups before, summed from left to
+///              right; then the texel above, in bands of 64 rows; then the last row of the bands before, summed
 ///              downwards
 template <class From, class Sum, class ParallelFor = serial>
 void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
@@ -148,21 +150,21 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     });
 }
 
-/// The same where one of the two is an image.
+/// Summed-area table for arguments of which one or both are an image.
 template <class From, class Sums, class ParallelFor = serial>
 requires detail::some_image<From, Sums>
 void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
     summed_area(detail::view_of(values), detail::view_of(sums), parallel);
 }
 
-/// Sum over a rectangle of the image that a table was made of.
+/// Sum over a rectangle of the image from which a table was made.
 ///
 /// @param sums     a table from summed_area
 /// @param first    lowest column and row
-/// @param last     highest column and row, they count too
-/// @return         what lies outside the image counts as 0, as does a rectangle with last < first
+/// @param last     highest column and row, included
+/// @edge           texels outside the image count as 0, as does a rectangle with last < first
 /// @formula        S(last) - S(first.x - 1, last.y) - S(last.x, first.y - 1) + S(first - 1)
-/// @exactness      uint32_t A: exact while the rectangle's area times the greatest value < 2^32, even where sums of the
+/// @exactness      uint32_t A: exact while the rectangle's area times the largest value < 2^32, even where sums of the
 ///                 table have wrapped around. float B
 template <class T>
 [[nodiscard]] std::remove_const_t<T> box_sum(image_view<T> sums, glm::ivec2 first, glm::ivec2 last) {

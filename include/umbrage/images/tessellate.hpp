@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A mesh cut for maps in which straight edges are curves: until between vertices places and distances from the light
-// are as good as straight lines between them.
+// Tessellation of a mesh for maps in which straight edges are curves (dual paraboloid). Edges are cut until positions
+// and distances from the light between vertices are close enough to straight lines.
 //
 //     auto cut = umbrage::tessellate(mesh, {light, umbrage::paraboloid_edge_angle(map_size, border), range});
 //     umbrage::rasterize_dual_paraboloid(map.view(), cut.view(), space, 0);
@@ -25,7 +25,7 @@
 namespace umbrage {
 
 struct tessellated_mesh {
-    std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones; world
+    std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones, world units
     std::vector<glm::uvec3> triangles;
 
     template <class View = mesh_view>  // 26 ms less to include: spans of vectors are compiled where this is called
@@ -34,12 +34,12 @@ struct tessellated_mesh {
     }
 };
 
-/// How finely a mesh is to be cut.
+/// Settings of a tessellation.
 struct tessellation {
-    glm::vec3 position{0};               ///< of the light, world
-    float angle = 0.1f;                  ///< radians, > 0, of the greatest edge as the light sees it
-    float range = 100;                   ///< of the light, > 0; edges wholly beyond it need not keep their distances
-    float depth_error = 1.0f / 4096.0f;  ///< above 0, below 1: of distances between an edge's ends, over range
+    glm::vec3 position{0};               ///< position of the light, world units
+    float angle = 0.1f;                  ///< radians, > 0: largest angle of an edge as seen from the light
+    float range = 100;                   ///< range of the light, > 0. Edges entirely beyond it may have wrong distances
+    float depth_error = 1.0f / 4096.0f;  ///< error of distances between an edge's ends, over range; above 0, below 1
 };
 
 namespace detail {
@@ -67,8 +67,8 @@ private:
         return static_cast<unsigned>(cut_.positions.size() - 1);
     }
 
-    /// By how much an edge is too long: what its angle's cosine lacks to 1, or else its error; zeros where it is not.
-    /// Its ends alone decide, so that a neighbor's decides alike.
+    /// Excess length of an edge: 1 minus its angle's cosine, or else its error; zeros where it is short enough. It
+    /// depends on the edge's ends only, so both triangles at the edge decide the same.
     [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
         const double p = vertices_[a].distance, q = vertices_[b].distance;
         if (detail::greater(p, q) < sag_) return {0, 0};
@@ -76,12 +76,12 @@ private:
         const double cosine = glm::dot(to_a, to_b) / (p * q);
         if (cosine < least_cosine_) return {1 - cosine, 0};
         if (cosine > greatest_cosine_ || detail::lesser(p, q) * cosine > range_) return {0, 0};
-        // the mean of both ends' distances against the distance to where the angle's bisector meets the edge
+        // mean of both ends' distances, against the distance to where the angle's bisector meets the edge
         const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
         return {0, sag > sag_ ? sag : 0};
     }
 
-    /// Where the angle's bisector meets the edge, from the same end whichever comes first.
+    /// Point where the angle's bisector meets the edge, the same for both orders of the ends.
     [[nodiscard]] glm::vec3 middle(unsigned a, unsigned b) const {
         const glm::vec3 &p = cut_.positions[a], &q = cut_.positions[b];
         if (q.x != p.x ? q.x < p.x : q.y != p.y ? q.y < p.y : q.z < p.z) return middle(b, a);
@@ -89,7 +89,7 @@ private:
         return glm::vec3(glm::mix(glm::dvec3(p), glm::dvec3(q), share));
     }
 
-    /// Cuts a triangle in two at its edge that is longest above what it may be, until none is.
+    /// Cuts a triangle in two at the edge with the largest excess, until none has any.
     void cut(const glm::uvec3& whole) {
         std::vector<glm::uvec3> left{whole};
         while (!left.empty()) {
@@ -127,9 +127,9 @@ private:
     static constexpr unsigned none = ~0u;
     struct vertex {
         double distance;         ///< from the light
-        unsigned middle = none;  ///< of an edge from here to an end of a higher number, the last that was cut;
-        unsigned end = none;     ///< of a middle, that end,
-        unsigned next = none;    ///< and that of the edge cut before it
+        unsigned middle = none;  ///< middle of an edge from here to an end of a higher index, the last that was cut;
+        unsigned end = none;     ///< for a middle, that end,
+        unsigned next = none;    ///< and the middle of the edge cut before it
     };
 
     glm::dvec3 light_;
@@ -143,15 +143,15 @@ private:
 /// Cuts a mesh's triangles at edges that are too long for a light, each at the angle's bisector.
 ///
 /// @param mesh   triangles with a position that is not finite stay as they are
-/// @param to     how finely
-/// @return       the same surface: what shares an edge still does, without gaps, also where neighbors have positions
-///               of their own that are equal; of the same winding
-/// @throws std::invalid_argument  an angle, a range or an error out of bounds, an index out of range
+/// @param to     settings
+/// @return       the same surface, with the same winding. Triangles that share an edge still do, without gaps, even if
+///               they have separate vertices of equal position
+/// @throws std::invalid_argument  angle, range or depth_error out of range; an index out of range
 /// @formula      an edge with ends a and b from the light, g between them, is cut where g > angle, or where
-///               (|a| + |b|) / 2 - 2 |a| |b| cos(g / 2) / (|a| + |b|) > 3/4 depth_error range: inside of a triangle a
+///               (|a| + |b|) / 2 - 2 |a| |b| cos(g / 2) / (|a| + |b|) > 3/4 depth_error range. Inside a triangle, a
 ///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
-///               stay, and those of half a texel, angle^2 / 8, stay whatever their error: or else triangles that hold
-///               the light, or are seen edge-on, had no end
+///               are kept, and so are those of half a texel, angle^2 / 8, with any error. Otherwise triangles that
+///               contain the light, or are seen edge-on, would be cut forever
 template <class = detail::on_use>
 [[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
     constexpr auto function = "tessellate";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The depth pass of a tetrahedron's map on the CPU.
+// Depth pass of a tetrahedron shadow map on the CPU.
 //
 //     umbrage::rasterize_tetrahedron(map.view(), mesh, umbrage::make_tetrahedron_light(light));
 //
@@ -22,13 +22,13 @@
 
 namespace umbrage {
 
-/// Renders each face's depths into its triangle of the map, as tetrahedron_face_of has it, and nowhere else.
+/// Renders each face's depths into its triangle of the map, as tetrahedron_face_of places it, and nowhere else.
 ///
-/// @param depth      of light.map_size^2 texels, cleared or of an earlier pass
-/// @param faces      make_tetrahedron_light's, on its own triangles
-/// @throws std::invalid_argument  as rasterize_depth, and where depth is not square
+/// @param depth      light.map_size^2 texels, cleared or from an earlier pass
+/// @param faces      from make_tetrahedron_light, each on its own triangle
+/// @throws std::invalid_argument  as rasterize_depth; depth not square
 /// @exactness        the bits of rasterize_depth
-/// The rest as for rasterize_depth.
+/// Other parameters as for rasterize_depth.
 template <class ParallelFor = serial>
 void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh,
                            const std::array<light_space<float>, 4>& faces, cull_mode cull = cull_mode::none,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Summed-area tables of a shadow map's depths and their squares, and visibility of whole images from them.
+// Summed-area table (SAT) of a shadow map's depths and their squares, and visibility of whole images from it (SAVSM).
 //
 //     umbrage::variance_table of{.bits = 11, .radius = 16};
 //     umbrage::image<glm::u16vec4> table = umbrage::make_variance_table(map, of);
 //     umbrage::visibility(table, of, receivers, 16, out);
 //
-// A box of 33 x 33 texels costs what one of 3 x 3 does.
+// A box of 33 x 33 texels costs as much as one of 3 x 3.
 #pragma once
 
 #include <cstdint>
@@ -27,21 +27,21 @@
 
 namespace umbrage {
 
-/// What a table is made for.
+/// Settings of a table.
 struct variance_table {
-    int bits = 11;    ///< of a depth's code, 1 to 12
-    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
+    int bits = 11;    ///< bits of a quantized depth, 1 to 12
+    int radius = 16;  ///< radius of the largest box, texels: 2 radius + 1 per side
     depth_direction direction = depth_direction::forward;
 };
 
-/// Sums of a map's codes, of distance from the near plane, and of their squares, for summed_variance.
+/// Sums of a map's depth codes (distances from the near plane) and of their squares, for summed_variance.
 ///
 /// @param map         depths; NaN counts as far
-/// @param of          the largest box, n texels of it within the map
-/// @return            one column and row more than the map: what lies before that column and row; the sums modulo 2^16
-///                    and over 2^16, those of the squares likewise
-/// @throws std::invalid_argument  empty map, bits or radius out of range; n 2^bits > 2^24; or n (s^2 / 4 + 1) >= 2^32,
-///                    s the difference of the map's greatest and least code: what a box may then hold wraps
+/// @param of          settings. The largest box has n texels within the map
+/// @return            one column and row more than the map. A texel has the sums over all texels before its column and
+///                    row: of codes modulo 2^16 and over 2^16, then the same of their squares
+/// @throws std::invalid_argument  empty map; bits or radius out of range; n 2^bits > 2^24; n (s^2 / 4 + 1) >= 2^32, s
+///                                the difference of the map's largest and smallest code: the sum over a box would wrap
 template <class ParallelFor = serial>
 [[nodiscard]] image<glm::u16vec4> make_variance_table(image_view<const float> map, const variance_table& of,
                                                       ParallelFor&& parallel = {}) {
@@ -89,11 +89,11 @@ template <class ParallelFor = serial>
 /// Visibility from a table: summed_variance of each receiver.
 ///
 /// @param table, of   from make_variance_table
-/// @param receivers   (x, y) in texels of the map, z depth, biased
-/// @param radius      of the box, at most the table's
-/// @param out         visibility, 1 lit; same size as receivers
-/// @param outside     bordered: outside the map all is lit; clamped: as at its edge
-/// @throws std::invalid_argument  sizes differ, a table without texels, or a radius below 0 or above the table's
+/// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
+/// @param radius      radius of the box in texels, at most the table's
+/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
+/// @throws std::invalid_argument  sizes differ; a table without texels; radius below 0 or above the table's
 template <class ParallelFor = serial>
 void visibility(image_view<const glm::u16vec4> table, const variance_table& of, image_view<const glm::vec3> receivers,
                 int radius, image_view<float> out, ParallelFor&& parallel = {},

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// A whole image of receivers against a shadow map, with any filter and any encoding.
+// Visibility of a whole image of receivers from a shadow map, with any filter and any encoding.
 //
 //     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::pcf_2x2{}, out);
 //
-// Straight from what a camera saw, with no image of receivers in between:
+// Straight from a camera's depth image, without an image of receivers:
 //
 //     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
 //     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
-// Bit for bit what the filter gives for each receiver alone, of bordered(map): all outside the map is lit.
+// Results have the same bits as the filter for each receiver alone over bordered(map): everything outside is lit.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ namespace umbrage {
 
 namespace detail {
 
-/// Visibility of a receiver, by a filter that may want to know its pixel, too.
+/// Visibility of a receiver, by a filter that may also take its pixel.
 template <class Filter, class Fetch>
 [[nodiscard]] float filtered(const Filter& filter, const Fetch& fetch, glm::vec2 coord, float receiver,
                              [[maybe_unused]] glm::ivec2 pixel) {
@@ -39,7 +39,7 @@ template <class Filter, class Fetch>
     else return static_cast<float>(filter(fetch, coord, receiver));
 }
 
-/// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
+/// Fetch of decoded texels, as one type for all encodings: code that is rarely used is not compiled for each.
 struct erased_fetch {
     const void* fetch;
     float (*call)(const void*, glm::ivec2);
@@ -50,14 +50,14 @@ template <class Fetch>
     return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
 }
 
-/// The receivers whose texels may lie outside the map. Blocks clamp there: these receivers are filtered again.
+/// Receivers whose texels may be outside the map. Blocks clamp there, so these receivers are filtered again.
 template <class Alone>
 class map_edge {
 public:
     /// @param alone        (coord, receiver, pixel) -> visibility of one receiver
-    /// @param reach        the filter's
-    /// @param blocks_err   false: what blocks give there is right
-    /// @param lit_beyond   whether a receiver is lit that reaches no texel of the map
+    /// @param reach        filter radius in texels
+    /// @param blocks_err   false: results of blocks are right there
+    /// @param lit_beyond   true: a receiver that reaches no texel of the map is lit
     map_edge(Alone alone, float reach, glm::ivec2 map_size, bool blocks_err, bool lit_beyond)
         : alone_(alone),
           margin_(reach + 0.5f),  // weights are in steps of 1/256
@@ -66,12 +66,12 @@ public:
           lit_beyond_(lit_beyond),
           inside_(glm::vec2(margin_), size_ - margin_) {}
 
-    /// Whether one of a block is among them.
+    /// True when a block has such receivers.
     template <class Receivers>
     [[nodiscard]] UMBRAGE_INLINE bool meets(const Receivers& r) const {
         return blocks_err_ && !inside_.holds(r);
     }
-    /// Filters those of a block again.
+    /// Filters such receivers of a block again.
     template <class Receivers>
     void filter_again(const Receivers& receivers, const block_walk& at, float* visibility) const {
         const glm::vec2 last = size_ - margin_, beyond = size_ + margin_;
@@ -94,13 +94,13 @@ private:
     receiver_rectangle inside_;
 };
 
-/// The receivers of some rows through a filter's blocks.
+/// Filters the receivers of some rows by a filter's blocks.
 template <class Receivers, class Blocks, class Edge>
 void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out, int first,
                  int last) {
     const bool large = past_cache(out);
     const auto all_rows = [&](auto set) UMBRAGE_INLINE {
-        constexpr unsigned ring = 4;  // blocks on their way
+        constexpr unsigned ring = 4;  // blocks in flight
         constexpr bool in_tiles = requires { typename Blocks::tile; };
         typename Blocks::placed placed[ring];
         typename tile_of<Blocks>::type tile;
@@ -142,7 +142,7 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& e
     if (large) finish_streaming();
 }
 
-/// One receiver after the other.
+/// Filters one receiver after the other.
 /// @param alone   (coord, receiver, pixel) -> visibility
 template <class Receivers, class ParallelFor, class Alone>
 void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Alone& alone) {
@@ -157,7 +157,7 @@ void for_each_receiver(const Receivers& receivers, image_view<float> out, Parall
     });
 }
 
-/// Any filter, receiver by receiver.
+/// Filters receiver by receiver, with any filter.
 template <class Receivers, class Filter, class Fetch, class ParallelFor>
 void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& fetch, image_view<float> out,
                  ParallelFor&& parallel) {
@@ -166,7 +166,7 @@ void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& 
     });
 }
 
-/// The direction of a map's depth: its encoding's, or the filter's where the encoding has none.
+/// Depth direction of a map: its encoding's, or the filter's if the encoding has none.
 template <class Encoding, class Filter>
 [[nodiscard]] depth_direction direction_of(const Encoding& encoding, const Filter& filter) {
     if constexpr (requires { encoding.direction; }) return encoding.direction;
@@ -174,7 +174,7 @@ template <class Encoding, class Filter>
     else return depth_direction::forward;
 }
 
-/// The filter, comparing in the direction of the map's depth. A callable without is_lit is passed on.
+/// Filter that compares in the direction of the map's depth. A callable without is_lit is returned unchanged.
 template <class Filter>
 [[nodiscard]] decltype(auto) in_direction(const Filter& filter, [[maybe_unused]] depth_direction direction) {
     if constexpr (requires(Filter own) { own.is_lit.direction = direction; }) {
@@ -184,15 +184,15 @@ template <class Filter>
     } else return filter;
 }
 
-/// All rows through a filter's blocks.
+/// Filters all rows by a filter's blocks.
 template <class Receivers, class Blocks, class Edge, class ParallelFor>
 void filter_pieces(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out,
                    ParallelFor&& parallel) {
     parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
 }
 
-/// A filter by its form.
-/// @return   false where the form does not take the map: nothing is done
+/// Filters by the filter's fast form.
+/// @return   false if the form does not support the map. Nothing is done then
 template <class Form, class Encoding, class Receivers, class Filter, class Edge, class ParallelFor>
 bool filter_by_form(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                     const Receivers& receivers, const Filter& filter, depth_direction direction, const Edge& edge,
@@ -245,15 +245,16 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 
 }  // namespace detail
 
+/// Visibility of receivers from a shadow map.
 /// @param map         shadow map, texels of the encoding
-/// @param encoding    how the map's texels hold depth, and which way it runs; its edge decides ties
-/// @param receivers   (x, y) in texels of the map, z depth, biased
-/// @param filter      one of filters::, which compares in the encoding's direction whatever its is_lit says, or any
-///                    callable (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides
-/// @param out         visibility, 1 lit; same size as receivers
-/// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
-/// @param outside     what texels outside the map count as: by default the far plane, so that all there is lit
-/// @throws std::invalid_argument  sizes differ, an empty map
+/// @param encoding    encoding of the map's texels, with the depth direction. Its edge decides ties
+/// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
+/// @param filter      one of filters::, whose is_lit is set to the encoding's direction; or any callable
+///                    (fetch, coord, receiver) -> visibility, with the receiver's pixel as an optional fourth argument
+/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
+/// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
+/// @throws std::invalid_argument  sizes differ; an empty map
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
@@ -261,7 +262,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
-/// Receivers as a structure of arrays.
+/// Visibility of receivers as a structure of arrays.
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const receiver_planes& receivers, const Filter& filter, image_view<float> out,
@@ -269,7 +270,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
-/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
+/// Visibility of receivers from a camera's depth image: of receiver_at for each of its texels.
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const depth_receivers& receivers, const Filter& filter, image_view<float> out,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Comparisons, selections and conversions of floats as operations on their bits: without a branch, so that loops over
-// blocks vectorise, and with NaN where -ffast-math forgets it. Masks are all bits of a number, or none.
+// Comparisons, selections and conversions of floats by operations on their bits. They have no branch, so loops over
+// blocks vectorize, and they handle NaN even under -ffast-math. Masks have all bits set, or none.
 //
 //     visibility[i] = select(texel_space_mask(x, y), sum, 1.0f);
 //
@@ -52,40 +52,40 @@ template <bool Forward>
                                    (detail::bit_cast<std::int32_t>(b) & ~mask));
 }
 
-/// Mask of the depths that apply_receiver_plane takes for the far plane's: closer to it than 2^-64.
+/// Mask of depths that apply_receiver_plane takes for the far plane: closer to it than 2^-64.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t cleared_mask(float depth, float cleared) {
     const std::int32_t apart = detail::bit_cast<std::int32_t>(depth - cleared) & 0x7FFFFFFF;
     return -std::int32_t(apart < detail::bit_cast<std::int32_t>(0x1p-64f));
 }
 
-/// less_equal as 0 or 1, NaN 0 whatever the compiler believes.
+/// less_equal as 0 or 1. NaN gives 0 under any compiler flag.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
     if constexpr (finite_math_only)
         return std::int32_t(receiver <= stored) & number_mask(receiver) & number_mask(stored);
     else return std::int32_t(receiver <= stored);
 }
 
-/// floor; |v| < 2^31.
+/// floor(v), for |v| < 2^31.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {
     const auto toward_zero = static_cast<std::int32_t>(v);
     return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
 }
 
-/// v clamped to 0 .. highest.
+/// v, clamped to 0 .. highest.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
     v = v > 0 ? v : 0;
     return v < highest ? v : highest;
 }
 
-/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. A float that is not negative truncates to its
-/// floor, and is ordered as its bits are.
+/// floor(v), clamped to 0 .. highest <= 2^24. NaN gives one of the ends. A float that is not negative truncates to its
+/// floor, and has the order of its bits.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
     const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
     const std::int32_t positive = bits > 0 ? bits : 0;
     return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
 }
 
-/// Magnitude of floor(v), at most `limit`, a whole number below 2^24; NaN counts as it.
+/// Magnitude of floor(v), at most `limit`, an integer below 2^24. NaN gives `limit`.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_magnitude(float v, float limit) {
     const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(limit);
     const std::int32_t magnitude = bits & 0x7FFFFFFF;
@@ -94,7 +94,7 @@ template <bool Forward>
     return whole + (bits < 0 && static_cast<float>(whole) < within ? 1 : 0);
 }
 
-/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
+/// Floats as integers in the same order, and back. -0 is below +0, and NaN is below everything.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
     const auto bits = detail::bit_cast<std::int32_t>(v);
     const std::int32_t number = number_mask(v);

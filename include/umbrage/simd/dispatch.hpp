@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no
-// intrinsics.
+// Dispatch of a loop to the machine's best instruction set at run time. The loop is compiled for each set, without
+// flags or intrinsics.
 //
 //     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
 //
-// A body is inlined into thin functions that carry the target; what it calls must be UMBRAGE_INLINE too, or it is
-// compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
-// loops run over blocks of 64, and select on the bits.
+// A body is inlined into thin functions that carry the target. Functions that it calls must be UMBRAGE_INLINE too, or
+// they are compiled for the base set. At -O2, GCC only vectorizes loops whose count it knows, and no `c ? x : y` on
+// floats. So loops run over blocks of 64, and select on the bits.
 //
-// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice, and nothing wider is compiled; a machine that lacks it
-// takes the next lower one. No choice changes a bit of a result of tier A. It has to be the same in all files of a
+// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice, and nothing wider is compiled. A machine without that set
+// uses the next lower one. No choice changes a bit of a result of tier A. It has to be the same in all files of a
 // program.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 #include <umbrage/core/config.hpp>
 
-// Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
+// Put before a loop that writes memory from which it does not read. At -O2, GCC does not check that at run time.
 #if defined(__GNUC__) && !defined(__clang__)
 #define UMBRAGE_NO_OVERLAP _Pragma("GCC ivdep")
 #else
@@ -35,7 +35,7 @@ using isa_constant = std::integral_constant<isa, Set>;
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 inline constexpr bool has_dispatch = true;
 
-/// The best instruction set of this machine, of those that get a path of their own.
+/// Best instruction set of this machine, among those with their own path.
 [[nodiscard]] inline isa best_isa() {
     __builtin_cpu_init();
     if (!__builtin_cpu_supports("avx2")) return isa::base;
@@ -57,17 +57,17 @@ inline constexpr bool has_dispatch = false;
 [[nodiscard]] inline isa best_isa() { return isa::base; }
 #endif
 
-/// The widest set that anything is compiled for.
+/// Widest set for which anything is compiled.
 #if defined(UMBRAGE_FORCE_ISA)
 inline constexpr isa widest_isa = has_dispatch ? isa::UMBRAGE_FORCE_ISA : isa::base;
 #else
 inline constexpr isa widest_isa = has_dispatch ? isa::avx512 : isa::base;
 #endif
 
-/// What image functions use; tests set it to see every path.
+/// Instruction set that image functions use. Tests set it to run every path.
 inline isa isa_in_use = best_isa() < widest_isa ? best_isa() : widest_isa;
 
-/// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
+/// Runs the body, compiled for the instruction set in use, which it receives as a constant. Only for results that no
 /// contraction to FMA can change.
 template <class Body>
 void on_best_isa(const Body& body) {
@@ -78,7 +78,7 @@ void on_best_isa(const Body& body) {
     body(isa_constant<isa::base>{});
 }
 
-/// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
+/// Runs a body with sums of products that round. AVX-512 includes FMA, with which compilers change such results.
 template <class Body>
 void on_best_isa_without_fma(const Body& body) {
     if constexpr (widest_isa >= isa::avx2)
@@ -86,8 +86,8 @@ void on_best_isa_without_fma(const Body& body) {
     body(isa_constant<isa::base>{});
 }
 
-/// Runs the body in a function of its own, of the instruction set that its caller is compiled for: large bodies with
-/// several callers are then compiled once.
+/// Runs the body in a separate function, for the instruction set of its caller. A large body with several callers is
+/// then compiled once.
 template <class Body>
 void out_of_line(isa_constant<isa::base> set, const Body& body) {
     body(set);
@@ -98,8 +98,8 @@ void out_of_line(isa_constant<Set>, const Body& body) {
     else on_avx2(body);
 }
 
-/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which
-/// on a stack is chance, a loop over them can take several times as long.
+/// Number of elements of a loop whose count the compiler knows. Arrays of that size start at a cache line. Where they
+/// do not, which depends on chance on a stack, a loop over them can take several times as long.
 inline constexpr int block = 64;
 
 }  // namespace umbrage::detail

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Registers: several values side by side, an operation on all of them at once.
+// Vector registers: several values side by side, with one operation on all of them.
 //
 //     lanes_of<float, 8> depths;
 //     load_lanes(texels, depths);  // with + - & and [] of the language
 //
-// The compiler's own vectors: they need no header and know no machine. Where it has none, or for a test,
-// plain_lanes.hpp gives the same bits, and says what each function does. Vectors go by reference: by value, the calling
-// convention depends on the instruction set.
+// These are the compiler's own vectors, which need no header and no knowledge of the machine. plain_lanes.hpp gives the
+// same bits for compilers without them, and for tests. It also documents each function. Vectors are passed by
+// reference: by value, the calling convention depends on the instruction set.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
 #if defined(__GNUC__) || defined(__clang__)
-/// Whether the compiler has vectors of its own, with all operators of the language.
+/// True when the compiler has its own vectors, with all operators of the language.
 inline constexpr bool has_lanes = true;
 
 template <class T, int Count>
@@ -39,7 +39,7 @@ template <class T, int Count>
 using lanes_of = plain_lanes<T, Count>;
 #endif
 
-/// From memory of any alignment, and back.
+/// Lanes from memory of any alignment, and back.
 template <class Lanes>
 UMBRAGE_INLINE inline void load_lanes(const void* from, Lanes& v) {
     std::memcpy(&v, from, sizeof v);
@@ -55,14 +55,14 @@ UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Result& resul
     result = __builtin_shufflevector(a, b, From...);
 }
 
-/// 0, 1, 2 ...
+/// Lanes 0, 1, 2 ...
 template <class T, int Count>
 UMBRAGE_INLINE inline void count_lanes(lanes_of<T, Count>& v) {
     [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE { v = lanes_of<T, Count>{T(I)...}; }
     (std::make_integer_sequence<int, Count>{});
 }
 
-/// The lanes of `low`, then those of `high`, each converted to half as many bits.
+/// Lanes of `low`, then those of `high`, each converted to half as many bits.
 template <class T, int Count, class Half>
 UMBRAGE_INLINE inline void narrow_lanes(const Half& low, const Half& high, lanes_of<T, Count>& v) {
     using half = lanes_of<T, Count / 2>;
@@ -142,11 +142,11 @@ UMBRAGE_INLINE inline void sum_four_lanes(const Four& a, const Four& b, const Fo
 }
 
 #if defined(__x86_64__) && !defined(__clang__)
-// Inlined into what is compiled for AVX2; dispatch.hpp has made its builtins known.
+// Inlined into code compiled for AVX2, whose builtins dispatch.hpp has declared.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
 UMBRAGE_INLINE inline std::uint32_t mask_bits(const lanes_of<std::int32_t, 8>* masks) {
-    const auto first = __builtin_ia32_packssdw256(masks[0], masks[1]);  // the halves of registers stay apart
+    const auto first = __builtin_ia32_packssdw256(masks[0], masks[1]);  // the halves of registers stay separate
     const auto second = __builtin_ia32_packssdw256(masks[2], masks[3]);
     return static_cast<std::uint32_t>(__builtin_ia32_pmovmskb256(__builtin_ia32_packsswb256(first, second)));
 }
@@ -187,7 +187,7 @@ UMBRAGE_INLINE inline void sum_two_lanes(const lanes_of<std::int32_t, Count>& fi
 }
 #endif
 
-/// Each lane plus those before it: of four as v0, v0+v1, (v1+v2)+v0, (v2+v3)+(v0+v1).
+/// Running sum of the lanes, in groups of four: v0, v0+v1, (v1+v2)+v0, (v2+v3)+(v0+v1).
 template <int Count, class Lanes>
 UMBRAGE_INLINE inline void running_sum(Lanes& v) {
     const auto add_moved = [&]<int... From>() UMBRAGE_INLINE {
@@ -206,7 +206,7 @@ UMBRAGE_INLINE inline void running_sum(Lanes& v) {
     }
 }
 
-/// Running sums of bytes, eight by eight: they fit 16 bits, of which registers hold twice as many.
+/// Running sums of bytes, in groups of eight. They fit 16 bits, and registers hold twice as many of those.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 inline constexpr bool sums_bytes = true;
 #pragma GCC diagnostic push
@@ -231,7 +231,7 @@ UMBRAGE_INLINE inline void running_sums_of_bytes(const std::uint8_t* from, lanes
 inline constexpr bool sums_bytes = false;
 #endif
 
-/// The last lane in all of them.
+/// Last lane, copied to all of them.
 template <int Count, class Lanes>
 UMBRAGE_INLINE inline void all_last(Lanes& v) {
     Lanes last;
@@ -240,7 +240,7 @@ UMBRAGE_INLINE inline void all_last(Lanes& v) {
     v = last;
 }
 
-/// Lanes of a running sum where registers have eight: clang 14 is slower with them than with four.
+/// Number of lanes of a running sum where registers have eight. clang 14 is slower with eight than with four.
 #if defined(__GNUC__) && !defined(__clang__)
 inline constexpr int running_sum_lanes = 8;
 #else

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How large images get to memory: with non-temporal stores, and prefetched.
+// Memory access of large images: non-temporal stores and prefetching.
 //
 //     const bool large = umbrage::detail::past_cache(out);
 //     if (large) umbrage::detail::stream_block(to, from);
@@ -21,7 +21,7 @@
 
 namespace umbrage::detail {
 
-/// An image that is written before it is read: others are filled with zeros first.
+/// Image that is written before it is read. It is not filled with zeros first, as other images are.
 template <class T>
 struct unset_image {
     explicit unset_image(glm::ivec2 size)
@@ -33,15 +33,15 @@ struct unset_image {
     const image_view<T> view;
 };
 
-/// Whether an image is so large that non-temporal stores pay: others would read each cache line before it is
-/// overwritten, and evict what is read meanwhile.
+/// True for an image so large that non-temporal stores pay. Plain stores would read each cache line before overwriting
+/// it, and evict data that is being read.
 template <class T>
 [[nodiscard]] inline bool past_cache(const image_view<T>& image) {
     constexpr double large = 4.0 * (1 << 20);  // bytes
     return static_cast<double>(sizeof(T)) * image.size.x * image.size.y >= large;
 }
 
-/// Whether stream() can store there.
+/// True when stream() can store at that address.
 [[nodiscard]] UMBRAGE_INLINE inline bool streams_to(const void* to) {
     return reinterpret_cast<std::uintptr_t>(to) % 16 == 0;
 }
@@ -73,21 +73,21 @@ inline void finish_streaming() {
 #endif
 }
 
-/// A block of texels by non-temporal stores, where stream() can.
+/// Stores a block of texels non-temporally where stream() can.
 template <class T>
 UMBRAGE_INLINE inline void stream_block(T* to, const T* from) {
     if (streams_to(to)) stream<block * sizeof(T)>(to, from);
     else std::memcpy(static_cast<void*>(to), from, block * sizeof(T));
 }
 
-/// Up to a block of floats; most are whole, and then the compiler knows how much there is to copy.
+/// Copies up to a block of floats. Most are full blocks, whose size the compiler then knows.
 UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
     if (count == block) std::memcpy(to, from, block * sizeof(float));
     else std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
 }
 
-/// A number that threads hand to each other, with all that they wrote before: std::atomic, whose header takes a tenth
-/// of the time that all of glm.hpp and the usual standard headers do.
+/// Number that threads pass to each other, with everything that they wrote before. It replaces std::atomic, whose
+/// header takes a tenth of the compile time of all of glm.hpp and the usual standard headers.
 #if defined(__GNUC__) || defined(__clang__)
 inline int load_acquire(const int& from) { return __atomic_load_n(&from, __ATOMIC_ACQUIRE); }
 inline int exchange_acquire(int value, int& with) { return __atomic_exchange_n(&with, value, __ATOMIC_ACQUIRE); }
@@ -102,7 +102,7 @@ inline int exchange_acquire(int value, int& with) {
 inline void store_release(int value, int& to) { std::atomic_ref(to).store(value, std::memory_order_release); }
 #endif
 
-/// Takes a lock, 1 while a thread has it, which others hold for microseconds; store_release(0, lock) gives it back.
+/// Takes a lock that others hold for microseconds. It is 1 while a thread has it; store_release(0, lock) releases it.
 inline void take_lock(int& lock) {
     while (exchange_acquire(1, lock) != 0)
         while (load_acquire(lock) != 0) {
@@ -112,15 +112,15 @@ inline void take_lock(int& lock) {
         }
 }
 
-/// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only
-/// prefetches has no effect, and a call of it is left out.
+/// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that. For GCC a function that only
+/// prefetches has no effect, and it removes the call.
 UMBRAGE_INLINE inline void prefetch_line([[maybe_unused]] const void* at) {
 #if defined(__GNUC__) || defined(__clang__)
     __builtin_prefetch(at);
 #endif
 }
 
-/// Prefetches `count` bytes, `ahead` bytes from there; they may lie behind the end of an array.
+/// Prefetches `count` bytes, `ahead` bytes from there. They may be past the end of an array.
 UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
     const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
 #pragma GCC unroll 16
@@ -128,9 +128,9 @@ UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead
         prefetch_line(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
 }
 
-/// Prefetches what a row holds behind its last whole step, before non-temporal stores to the row: the rest is stored
-/// plainly, stores take their turn, and those of the next rows would wait for its cache lines. Tables of 2032
-/// columns were five to seven times as slow.
+/// Prefetches the rest of a row after its last full step, before non-temporal stores to the row. The rest is stored
+/// plainly. Stores complete in order, so those of the next rows would wait for its cache lines. Tables of 2032 columns
+/// were five to seven times as slow.
 template <class T>
 UMBRAGE_INLINE inline void prefetch_rest(const T* row, int count, int step = block) {
     for (int x = count / step * step; x < count; x += static_cast<int>(64 / sizeof(T))) prefetch_line(row + x);

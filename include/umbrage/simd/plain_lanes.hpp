@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What lanes.hpp does, for any compiler: arrays instead of registers, and loops.
+// Functions of lanes.hpp for any compiler: arrays instead of registers, and loops.
 //
 #pragma once
 
@@ -42,14 +42,14 @@ struct plain_lanes {
     friend plain_lanes operator&(plain_lanes a, const plain_lanes& b) { return a &= b; }
 };
 
-/// Lane i of the result is lane From[i] of a, then b, counted through; lanes of 32 bits.
+/// Lanes selected from two registers: lane i of the result is lane From[i] of a followed by b. Lanes have 32 bits.
 template <int... From, class T, int Count>
 inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>& b,
                     plain_lanes<T, int(sizeof...(From))>& result) {
     result = {{(From < Count ? a[From % Count] : b[From % Count])...}};
 }
 
-/// Of each lane the least of both, or the greatest.
+/// Minimum, or maximum, of each lane of both.
 template <class T, int Count>
 inline void keep_least(const plain_lanes<T, Count>& v, plain_lanes<T, Count>& least) {
     for (int i = 0; i < Count; ++i) least[i] = v[i] < least[i] ? v[i] : least[i];
@@ -59,13 +59,13 @@ inline void keep_greatest(const plain_lanes<T, Count>& v, plain_lanes<T, Count>&
     for (int i = 0; i < Count; ++i) greatest[i] = v[i] > greatest[i] ? v[i] : greatest[i];
 }
 
-/// is_lit, or is_lit the other way round, as a mask for each lane; the receiver is not NaN.
+/// is_lit, or is_lit with its arguments exchanged, as a mask per lane. The receiver is not NaN.
 template <int Count, bool Forward>
 inline void lit_lanes(float receiver, const plain_lanes<float, Count>& stored, plain_lanes<std::int32_t, Count>& lit) {
     for (int i = 0; i < Count; ++i) lit[i] = -(Forward ? is_lit(receiver, stored[i]) : is_lit(stored[i], receiver));
 }
 
-/// The sum of each of two registers of 4 or 8 numbers between 0 and 127.
+/// Sum of the lanes of each of two registers, of 4 or 8 numbers between 0 and 127.
 template <int Count>
 inline void sum_two_lanes(const plain_lanes<std::int32_t, Count>& first, const plain_lanes<std::int32_t, Count>& second,
                           std::int32_t* sums) {
@@ -89,14 +89,15 @@ inline void add_where(const plain_lanes<std::int32_t, Count>& mask, float weight
     for (int i = 0; i < Count; ++i) sum[i] += masked(weight, mask[i]);
 }
 
-/// Zero in the lanes that a mask leaves out.
+/// Sets the lanes outside a mask to zero.
 template <int Count>
 inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes<float, Count>& v) {
     for (int i = 0; i < Count; ++i) v[i] = masked(v[i], mask[i]);
 }
 
 /// apply_receiver_plane of a row of texels from column `first` on.
-/// @param slope, x   of the receiver, along the row;   beside  what the row's distance from it adds to the plane
+/// @param slope, x   slope and position of the receiver, along the row
+/// @param beside     what the row's distance from the receiver adds to the plane
 template <int Count>
 inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
                           plain_lanes<float, Count>& texels) {
@@ -106,14 +107,14 @@ inline void move_to_plane(float slope, float first, float x, float beside, float
     }
 }
 
-/// Adds products to a register of four, lane by lane and round about; none rounds.
+/// Adds products to a register of four, lane by lane, wrapping around. None of them rounds.
 template <int Count>
 inline void add_products(const plain_lanes<float, Count>& a, const plain_lanes<float, Count>& b,
                          plain_lanes<float, 4>& sums) {
     for (int i = 0; i < Count; ++i) sums[i % 4] += a[i] * b[i];
 }
 
-/// The sum of the lanes of each of four registers.
+/// Sum of the lanes of each of four registers.
 template <class T>
 inline void sum_four_lanes(const plain_lanes<T, 4>& a, const plain_lanes<T, 4>& b, const plain_lanes<T, 4>& c,
                            const plain_lanes<T, 4>& d, plain_lanes<T, 4>& sums) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeps -ffast-math out of code whose bits are promised:
+// Protection from -ffast-math for code with guaranteed bits:
 //
 //     UMBRAGE_STRICT_MATH
 //     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
 //     UMBRAGE_END_STRICT_MATH
 //
-// Comparisons with NaN are not kept: under -ffinite-math-only GCC shortens them even here, so that code which may meet
-// a NaN tests its bits. Denormals may be flushed, which is a mode of the processor. Without the flag these macros are
-// empty, as they are for clang where it has no such pragma (version 14: all but x86).
+// Comparisons with NaN are not protected: under -ffinite-math-only GCC shortens them even here. Code that may see a NaN
+// tests its bits. Denormals may be flushed, which is a mode of the processor. Without the flag these macros are empty.
+// They are also empty for clang where it has no such pragma (version 14: all but x86).
 #pragma once
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
@@ -28,7 +28,7 @@
 
 namespace umbrage::detail {
 
-/// Whether the compiler takes it that no float is a NaN. Without external linkage: files may differ.
+/// True when the compiler assumes that no float is NaN. It has no external linkage, since files may differ.
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 constexpr bool finite_math_only = true;
 #else

@@ -22,13 +22,14 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
-/// Floats are always added in fours, in the order that summed_area states; integers in any.
+/// Number of lanes of a running sum. Floats are always added in fours, in the order that summed_area states; integers
+/// in any order.
 template <class T, isa Set>
 inline constexpr int sum_lanes = std::is_integral_v<T>&& Set != isa::base ? running_sum_lanes : 4;
 
-/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has
-/// the same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table.
-/// The worst placement was measured to be five times as slow.
+/// Running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has the
+/// same last twelve bits (4K aliasing). So both are placed, modulo 4096, away from the rows of the image and of the
+/// table. The worst placement was measured to be five times as slow.
 template <class Sum>
 class band_sums {
 public:
@@ -53,11 +54,11 @@ public:
     Sum *base, *line;
 };
 
-/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`, or of
-/// integers `line` itself, which then holds all that is above.
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table. That row is `line` plus
+/// `base`, or for integers `line` itself, which then includes all rows above.
 /// @param before     sum of the row's texels to the left
-/// @param next_row   comes after `from`
-/// @return           `before` and all texels, of whole blocks
+/// @param next_row   row after `from`
+/// @return           `before` plus the sum of all texels, in full blocks
 template <bool Streams, int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum before, const Sum* base, Sum* line,
                                   Sum* to, int count) {
@@ -107,7 +108,7 @@ UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum be
             sum_some(as_asked, from + x, base + x, line + x, to + x);
         }
     } else {
-        // This block and the next, which is loaded before the stores that its loads could alias with.
+        // Values of this block and the next. The next is loaded before the stores with which its loads could alias.
         alignas(64) Sum values[2][block];
         const auto load = [&](int first) UMBRAGE_INLINE {
             prefetch(first);
@@ -135,7 +136,7 @@ UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum be
     return carry[0];
 }
 
-/// What sum_row returns, of whole blocks.
+/// Result of sum_row alone, for full blocks.
 template <int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline Sum sum_of_row(const From* from, Sum before, int count) {
     lanes_of<Sum, Lanes> carry, few;
