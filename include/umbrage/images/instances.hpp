@@ -75,8 +75,8 @@ template <class Reach>
 
 /// True when a mesh within the bounds may mark a texel of a map.
 ///
-/// False only if all of it is beyond one side, beyond the far plane, behind the eye, or in front of a near plane that
-/// clips. A near plane that clamps keeps casters between it and the light.
+/// False only if all of it is outside of one plane: a side, the far plane, the eye's, or a near plane that clips. A
+/// near plane that clamps keeps casters between it and the light.
 /// @param bounds    in the mesh's space
 /// @param to_clip   model_to_clip, or any matrix with which the mesh is drawn
 /// @param at_near   as for the depth pass

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Choice of the shadow map that serves a view best: a warp where it pays, a uniform map elsewhere, without flicker
-// between them.
+// Choice of the shadow map that serves a view best: a warp where it pays, else a uniform map. The choice does not
+// flicker.
 //
 //     // one receiver in 64 x 64 pixels or so. Points that the camera saw a frame ago will do
 //     std::vector<umbrage::seen_point> seen = ...;

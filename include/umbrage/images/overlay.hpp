@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Overlay of a shadow map in the corner of a rendered picture, for debugging, with stretched contrast.
+// Debug overlay of a shadow map in the corner of a rendered picture, with stretched contrast.
 //
 //     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
 //     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {

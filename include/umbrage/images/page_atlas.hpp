@@ -120,8 +120,8 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 /// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @edge              receiver without a page, or outside the root: lit
-/// @throws std::invalid_argument  sizes differ; a table whose sides are not a power of two plus 2, or with slots
-///                                outside the atlas; a gutter below the filter's reach
+/// @throws std::invalid_argument  sizes differ; table sides are not a power of two plus 2; a slot is outside the
+///                                atlas; the gutter is below the filter's reach
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,

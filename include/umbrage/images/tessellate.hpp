@@ -67,7 +67,7 @@ private:
         return static_cast<unsigned>(cut_.positions.size() - 1);
     }
 
-    /// Excess length of an edge: 1 minus its angle's cosine, or else its error; zeros where it is short enough. It
+    /// Excess length of an edge: 1 minus its angle's cosine, or else its error. Zeros where it is short enough. It
     /// depends on the edge's ends only, so both triangles at the edge decide the same.
     [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
         const double p = vertices_[a].distance, q = vertices_[b].distance;

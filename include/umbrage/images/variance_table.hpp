@@ -40,8 +40,8 @@ struct variance_table {
 /// @param of          settings. The largest box has n texels within the map
 /// @return            one column and row more than the map. A texel has the sums over all texels before its column and
 ///                    row: of codes modulo 2^16 and over 2^16, then the same of their squares
-/// @throws std::invalid_argument  empty map; bits or radius out of range; n 2^bits > 2^24; n (s^2 / 4 + 1) >= 2^32, s
-///                                the difference of the map's largest and smallest code: the sum over a box would wrap
+/// @throws std::invalid_argument  empty map; bits or radius out of range; n 2^bits > 2^24; n (s^2 / 4 + 1) >= 2^32,
+///                                where the sum over a box would wrap. s is the map's largest code minus its smallest
 template <class ParallelFor = serial>
 [[nodiscard]] image<glm::u16vec4> make_variance_table(image_view<const float> map, const variance_table& of,
                                                       ParallelFor&& parallel = {}) {

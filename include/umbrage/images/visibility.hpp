@@ -249,8 +249,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// @param map         shadow map, texels of the encoding
 /// @param encoding    encoding of the map's texels, with the depth direction. Its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
-/// @param filter      one of filters::, whose is_lit is set to the encoding's direction; or any callable
-///                    (fetch, coord, receiver) -> visibility, with the receiver's pixel as an optional fourth argument
+/// @param filter      one of filters::, whose is_lit is set to the encoding's direction. Or any callable
+///                    (fetch, coord, receiver) -> visibility, optionally with the receiver's pixel as fourth argument
 /// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit

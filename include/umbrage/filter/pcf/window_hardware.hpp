@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Percentage-closer filtering (PCF) under a sliding kernel by a comparison sampler. One fetch between two texels
-// weights both. It takes 4 fetches for
-// 3 x 3 weights, 9 for 5 x 5 and 16 for 7 x 7.
+// weights both. It takes 4 fetches for 3 x 3 weights, 9 for 5 x 5 and 16 for 7 x 7.
 //
 //     constexpr umbrage::window_row row = umbrage::castano_row<5>;
 //     float visibility = umbrage::window_hardware(umbrage::bordered(map), coord, depth - bias, row);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
+// Box filter over float maps, in blocks of receivers. It loads whole rows of a box at once, not texel by texel.
 //
 //     const box_rows<depth_direction::forward, 8, 0> rows(map.stride, 5);
 //     std::int32_t lit = rows.count(row, 0, receiver);
@@ -23,25 +23,25 @@
 
 namespace umbrage::detail {
 
-/// Lit texels of boxes that lie inside a map at least as wide as a register.
-/// @tparam Lanes   of a register
-/// @tparam Whole   registers that a row of the box fills
-/// @tparam Width   of the box, 0 if not known here
+/// Count of lit texels in boxes inside a map that is at least as wide as a register.
+/// @tparam Lanes   lanes of a register
+/// @tparam Whole   full registers per row of the box
+/// @tparam Width   width of the box, 0 if not known at compile time
 template <depth_direction Direction, int Lanes, int Whole, int Width = 0>
 struct box_rows {
     using ints = lanes_of<std::int32_t, Lanes>;
-    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
+    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded per row
     std::ptrdiff_t stride;
     int width;
     std::int32_t
-        window[3 * std::size_t(Lanes)]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+        window[3 * std::size_t(Lanes)]{};  ///< lanes of the last register that belong to the row, slid into place
 
     UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
         for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
     }
 
     /// @param row     first texel of the box
-    /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
+    /// @param moved   texels by which the last register of a row is moved back, so that it ends inside the map
     [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
         ints lit;
         std::int32_t sums[2];
@@ -50,7 +50,7 @@ struct box_rows {
         return sums[0];
     }
 
-    /// Of two boxes, which costs less than of each alone.
+    /// Counts of two boxes, at less cost than one by one.
     UMBRAGE_INLINE void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
         ints first, second;
         count_lanes(rows[0], 0, receivers[0], first);
@@ -87,7 +87,7 @@ private:
     }
 };
 
-/// A map of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
+/// Box filter on a float map. Other maps are decoded first, at less cost than decoding each texel for each box.
 template <depth_direction Direction>
 struct box_blocks {
     using test = block_test<Direction>;
@@ -98,15 +98,15 @@ struct box_blocks {
         alignas(64) std::int32_t inside[block], compared[block];
         alignas(64) float z[block];
         std::int32_t
-            all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
+            all_plain;  ///< all bits if all boxes and the texels loaded with them are inside, and no depth is NaN
     };
     image_view<const float> map;
     int radius;  ///< 0 .. max_box_radius
 
-    /// Of the texels that a receiver there asks for, along an axis.
+    /// First of the texels that a receiver reads, along an axis.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const { return floor_int(coord) - radius; }
-    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< of a box
-    [[nodiscard]] UMBRAGE_INLINE int loaded() const { return side() + 7; }    ///< of a row, by registers of eight
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< of a box, texels
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const { return side() + 7; }    ///< texels per row, in registers of eight
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
@@ -162,7 +162,7 @@ private:
         const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
         alignas(64) std::int32_t lit[block]{};
-        if (at.all_plain)  // as nearly always
+        if (at.all_plain)  // nearly always
             count_inside(boxes, at, count, lit);
         else
             for (int i = 0; i < count; ++i) {
@@ -177,7 +177,7 @@ private:
                                    static_cast<float>(lit[i]) * scale);
     }
 
-    /// All 64 boxes lie inside the map, with what is loaded beside them.
+    /// Counts for 64 boxes that are inside the map, with the texels loaded beside them.
     template <class Boxes>
     UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
         const auto count_all = [&](const Boxes& of, const auto& row) UMBRAGE_INLINE {
@@ -207,7 +207,7 @@ private:
         count_all(boxes, [&](int i) UMBRAGE_INLINE { return memory.data + at.offsets[i]; });
     }
 
-    /// The same from a copy of the box, the map's border texels repeated.
+    /// Count from a copy of the box, with the map's border texels repeated.
     template <class Boxes>
     std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
         constexpr int widest = 2 * max_box_radius + 1;

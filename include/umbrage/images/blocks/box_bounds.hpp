@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Least and greatest depth under boxes of texels, one number each for every place of a box.
+// Minimum and maximum depth under boxes of texels, one number each for every position of a box.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@
 
 namespace umbrage::detail {
 
-/// For every place where a box may start, the bounds of the squares of texels that the box touches: at most `cells`
-/// squares of 2^level texels in a row.
+/// Bounds of the texel squares that a box touches, for every start of the box: at most `cells` squares of 2^level
+/// texels in a row.
 struct box_bounds {
     int level, cells;
-    glm::ivec2 squares;             ///< of the map
-    glm::ivec2 last;                ///< of the starts, which begin cells - 1 squares in front of the map
-    unset_image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
+    glm::ivec2 squares;             ///< number of squares in the map
+    glm::ivec2 last;                ///< last start; starts begin cells - 1 squares before the map
+    unset_image<glm::vec2> bounds;  ///< minimum and maximum; rows are padded to full blocks
 
-    /// @param width   of the box
+    /// @param width   width of the box, texels
     template <class ParallelFor>
     box_bounds(image_view<const float> map, int width, ParallelFor&& parallel)
         : level(width < 9 ? 1 : 2),
@@ -38,7 +38,8 @@ struct box_bounds {
             const int plane = columns + (before + block) / block * block;
             const auto row_size = static_cast<std::size_t>(2 * plane);
             std::vector<std::int32_t> row(row_size + static_cast<std::size_t>(before));
-            std::vector<std::int32_t> rows(row_size * static_cast<std::size_t>(cells));  // of squares, the latest
+            std::vector<std::int32_t> rows(row_size *
+                                           static_cast<std::size_t>(cells));  // rows of squares, the latest ones
             const auto row_at = [&](int y) UMBRAGE_INLINE { return rows.data() + (y + before) % cells * 2 * plane; };
             on_best_isa([&](auto) UMBRAGE_INLINE {
                 for (int y = from - before; y < to; ++y) {
@@ -60,10 +61,10 @@ struct box_bounds {
     }
 
 private:
-    static constexpr int deepest = 2;  ///< level
+    static constexpr int deepest = 2;  ///< largest level
 
-    /// Of a row of squares: least depths and greatest, these as complements so that both are minima. Squares at the
-    /// border are repeated, as far as boxes reach.
+    /// Bounds of a row of squares: minima, and maxima as complements so that both are minima. Squares at the border are
+    /// repeated as far as boxes can start or end.
     UMBRAGE_INLINE void bounds_of_squares(const image_view<const float>& map, int y,
                                           std::int32_t* const planes[2]) const {
         for (int x = 0; x < squares.x; x += block) {
@@ -84,7 +85,7 @@ private:
         }
     }
 
-    /// Over 2^level rows; the last row and column are repeated.
+    /// Bounds of columns over 2^level rows. The last row and column are repeated.
     UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, glm::ivec2 first, std::int32_t* low,
                                           std::int32_t* high) const {
         constexpr int rows = 1 << deepest;
@@ -113,7 +114,7 @@ private:
         std::memcpy(to, halves, sizeof halves);
     }
 
-    /// to[i] = least of from(k)[i] over k < cells, for a block.
+    /// to[i] = smallest of from(k)[i] over k < cells, for a block.
     template <class From>
     UMBRAGE_INLINE void widen(std::int32_t* to, const From& from) const {
         alignas(64) std::int32_t best[block];
@@ -129,14 +130,14 @@ private:
     static UMBRAGE_INLINE std::int32_t greatest(std::int32_t a, std::int32_t b) { return greatest_of{}(a, b); }
 };
 
-/// Of filters that are known by their reach alone: texels whose centers lie so far from a receiver, an axis, and how
-/// many they can be.
+/// Texels within a filter radius of a receiver along an axis: the first one, and their largest number. It is for
+/// filters of which only the radius is known.
 struct reached_texels {
-    int reach;  ///< in 1/256 texel
+    int reach;  ///< filter radius in 1/256 texel
     explicit reached_texels(float texels) : reach(-floor_int(-texels * 256.0f)) {}
 
     [[nodiscard]] int count() const { return (2 * reach + 1) / 256 + 1; }
-    /// What is added to floor(256 coord), so that a 256th of it is the first of them.
+    /// Number to add to floor(256 coord), so that 1/256 of the sum is the index of the first texel.
     [[nodiscard]] int before() const { return 127 - reach; }
 };
 

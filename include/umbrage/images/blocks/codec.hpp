@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Encodings over blocks of 64 depths, in loops that vectorise: bit for bit what their own encode and decode give.
+// Encodings over blocks of 64 depths, in loops that vectorize. Results have the bits of their own encode and decode.
 //
 //     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
 //     codec.with_encode([&](const auto& encode) UMBRAGE_INLINE { encode(depths, texels); });  // and more blocks
@@ -21,8 +21,9 @@
 
 namespace umbrage::detail {
 
-/// saturate(), NaN to `highest` or, reversed, to 0. What is not taken for 0 is one range of bits, which one comparison
-/// finds: signed integers above -infinity's, negative NaNs among them; or unsigned ones up to infinity's.
+/// saturate(), with NaN as `highest` or, where depth is reversed, as 0. Values that do not become 0 are one range of
+/// bits, which one comparison finds: signed integers above -infinity's, negative NaNs included, or unsigned
+/// ones up to infinity's.
 template <depth_direction Direction>
 struct saturated {
     [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
@@ -33,27 +34,28 @@ struct saturated {
         const bool kept = forward ? bits > minus_infinity : static_cast<std::uint32_t>(bits) <= 0x7F800000u;
         return bit_cast<float>(clamped & -std::int32_t(kept));
     }
-    /// to_code: what is 1 or more has the code of the last float below 1.
+    /// Code as of to_code. Depths of 1 or more get the code of the last float below 1.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t code(float depth, float codes) const {
         return static_cast<std::int32_t>((*this)(depth, 0x1.fffffep-1f) * codes);
     }
 };
 
-/// Calls use(saturated) with the direction's.
+/// Calls use(saturated) with the version for a direction.
 template <class Use>
 UMBRAGE_INLINE inline void with_saturated(depth_direction direction, const Use& use) {
     if (direction == depth_direction::forward) use(saturated<depth_direction::forward>{});
     else use(saturated<depth_direction::reversed>{});
 }
 
-/// Any encoding, texel by texel.
+/// Codec of any encoding, texel by texel.
 template <class Encoding>
 struct codec {
     using texel = typename Encoding::texel;
     static constexpr bool exact = false;
     Encoding encoding;
 
-    /// Calls use(encode), whose form may hang on what is known at run time: asking that block by block costs a tenth.
+    /// Calls use(encode). The form of encode may depend on run-time values: checking those block by block costs a
+    /// tenth.
     template <class Use>
     UMBRAGE_INLINE void with_encode(const Use& use) const {
         use([own = encoding](const float* depth, texel* texels) UMBRAGE_INLINE {
@@ -69,7 +71,7 @@ template <class Encoding>
     return {encoding};
 }
 
-/// rg of any number of bits. Texels are 16-bit words, so that twice as many fit a register.
+/// Codec of rg with any number of bits. Texels are 16-bit words, so that twice as many fit a register.
 struct rg_codec {
     using texel = glm::u8vec2;
     static constexpr bool exact = true;
@@ -77,7 +79,7 @@ struct rg_codec {
     float edge;
     depth_direction direction;
 
-    /// R | G << 8 to what this machine has in memory, and back.
+    /// Word R | G << 8 in this machine's byte order, and back.
     static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
         if constexpr (std::endian::native == std::endian::little) return word;
         else return static_cast<std::uint16_t>(word << 8 | word >> 8);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Discs over blocks of receivers: the turned points of a row of pixels are looked up, not turned again. All texels near
-// a receiver are compared at once, a row of them in a register, where that is less work than point after point.
+// Disc filter over blocks of receivers. Rotated points of a row of pixels come from a table. All texels near a
+// receiver are compared at once, one row per register, where that is less work than point after point.
 #pragma once
 
 #include <array>
@@ -22,16 +22,17 @@
 
 namespace umbrage::detail {
 
-/// Taps of a disc in 1/256 texel from the receiver, for each row of 4 x 4 pixels' turns and each pixel of a block.
+/// Taps of a disc in 1/256 texel from the receiver. There is one for each row of the 4 x 4 rotation pattern and each
+/// pixel of a block.
 struct disc_table {
     struct tap {
         alignas(64) std::int32_t x[block], y[block];
         alignas(64) std::uint32_t packed[block];
     };
     std::vector<std::array<tap, 32>> of;
-    int farthest = 0;  ///< along an axis
+    int farthest = 0;  ///< largest distance along an axis
 
-    /// Both in one word, sums of them from 0 to 2047: x is at the top, where what it borrows and carries is lost.
+    /// Both coordinates in one word, for sums from 0 to 2047. x is at the top, where its borrows and carries are lost.
     static UMBRAGE_INLINE std::uint32_t pack(std::int32_t x, std::int32_t y) {
         return (static_cast<std::uint32_t>(x) << 21) + static_cast<std::uint32_t>(y);
     }
@@ -64,11 +65,11 @@ struct disc_blocks {
     struct placed {
         alignas(64) std::int32_t x[block], y[block], compared[block];  ///< in 1/256 texel
         alignas(64) float z[block];
-        int row;  ///< of the table
+        int row;  ///< row of the table
     };
     image_view<const float> map;
     const disc_table& taps;
-    int points, rows;  ///< of the map, before and behind a receiver's
+    int points, rows;  ///< rows of the map before and after the receiver's
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
@@ -107,12 +108,12 @@ struct disc_blocks {
 private:
     static constexpr int near_before = 3, near_rows = 7, near_columns = 8;
     struct near_texels {
-        alignas(64) std::int32_t offsets[block];                           ///< of the first
-        alignas(64) std::uint32_t from[block];                             ///< there to the receiver, packed
+        alignas(64) std::int32_t offsets[block];                           ///< of the first texel
+        alignas(64) std::uint32_t from[block];                             ///< from that texel to the receiver, packed
         alignas(64) std::uint32_t upper[block], lower[block], lit[block];  ///< bits of four rows each
     };
 
-    /// @return   whether all points fall on them, and all of them lie in the map
+    /// @return   true when all points fall on these texels, and all of the texels are in the map
     UMBRAGE_INLINE bool find_near(const placed& at, near_texels& texels) const {
         const texel_bytes memory(map);
         const int last_x = map.size.x - near_columns, last_y = map.size.y - near_rows;
@@ -138,7 +139,7 @@ private:
             load_lanes(texels.from + i, from);
             load_lanes(texels.upper + i, upper);
             load_lanes(texels.lower + i, lower);
-            // Bit 4 y + x of columns 0 to 3, and of 4 to 7: there are seven rows, none is lost.
+            // Bit 4 y + x of columns 0 to 3, and of 4 to 7. There are seven rows, so none is lost.
             const auto left = (upper & 0xFFFF) | lower << 16;
             const auto right = (upper >> 16 | (lower & 0xFFFF0000)) << 4;
             for (int p = 0; p < points; ++p) {
@@ -152,7 +153,7 @@ private:
         take_share(at, texels.lit, visibility);
     }
 
-    /// Which texels are lit, as mask_bits of rows 0 to 3 and of 4 to 6.
+    /// Lit texels, as mask_bits of rows 0 to 3 and of rows 4 to 6.
     template <class Placed>
     UMBRAGE_INLINE void compare_near(const Placed& at, int i, std::int32_t offset, std::uint32_t& upper,
                                      std::uint32_t& lower) const {

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
-// none is called receiver by receiver.
+// Fast form of a filter, for blocks of 64 receivers. visibility() uses it where a filter has one, and calls other
+// filters receiver by receiver.
 //
-// A form states what it needs of a map and the smallest width and height that it can take. blocks() makes its blocks,
-// of a map, a filter and tables() that these look things up in. Where a form needs texels, the map is float_texels or
-// rg_texels, as it is stored; where it needs floats, float_texels. A form clamps texels to the map's edge; visibility()
-// filters again what may lie outside a bordered map, by the filter's reach(). A form may name another, by_bounds, which
-// runs where bounds_pay(): see hierarchical.hpp.
+// A form states what it needs of a map, and the smallest width and height that it can take. blocks() makes its blocks
+// from a map, a filter and tables(). A form that needs texels gets the map as stored: float_texels or rg_texels. A form
+// that needs floats gets float_texels. A form clamps texels to the map's edge. visibility() filters again what may be
+// outside a bordered map, by the filter's reach(). A form may name another, by_bounds, which runs where bounds_pay():
+// see hierarchical.hpp.
 //
-// Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
-// where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
-// the row of pixels that the block lies in; its column is a multiple of 64. `count` receivers of a block are there:
-// loops go to `block` all the same, a number that compilers vectorise by, and what the rest gives is ignored. `Isa` is
-// the instruction set that the code is compiled for. Every function and lambda of it is UMBRAGE_INLINE: dispatch.hpp
-// says why.
+// Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. place()
+// finds the texels and prefetches them. The second step loads, compares and weights them. A place() with a third
+// argument gets the row of pixels of the block. Its column is a multiple of 64. A block has `count` receivers. Loops
+// run to `block` nevertheless, a constant by which compilers vectorize, and results of the rest are ignored. `Isa` is
+// the instruction set for which the code is compiled. All its functions and lambdas are UMBRAGE_INLINE: see
+// dispatch.hpp.
 //
-// Blocks that leave work for later have a type `tile` with a number `rows`. They come tile by tile, so many above each
-// other; the second step gets the tile besides, and finish(tile, set) is called behind its last block, before results
-// are taken. hierarchical.hpp does so.
+// Blocks that leave work for later have a type `tile` with a number `rows`. They come tile by tile, that many rows
+// above each other. The second step also gets the tile. finish(tile, set) is called after its last block, before
+// results are taken. hierarchical.hpp does so.
 //
-// unit/images/blocks/form and form/coherent hold each form to its filter, bit by bit.
+// Tests: unit/images/blocks/form and form/coherent compare each form with its filter, bit by bit.
 //
 //     template <>
 //     struct block_form<filters::pcf_2x2> : without_tables {
@@ -36,20 +36,20 @@
 
 namespace umbrage::detail {
 
-/// What the blocks of a filter read.
+/// Map that the blocks of a filter read.
 enum class map_need {
-    texels,  ///< a few texels a receiver: as they are stored, where that has a fast form, or floats
-    floats,  ///< many: decoding each for each receiver would cost more than decoding the map once
+    texels,  ///< few texels per receiver: as stored, if a fast form exists for that, or floats
+    floats,  ///< many texels: decoding each per receiver would cost more than decoding the map once
 };
 
 template <class Filter>
 struct block_form;
 
-/// The form of a filter that compares every texel, where hierarchical.hpp has another beside it.
+/// Form of a filter that compares every texel. hierarchical.hpp adds another one.
 template <class Filter>
 struct every_texel_form;
 
-/// Base of forms whose blocks look nothing up in tables.
+/// Base of forms whose blocks use no tables.
 struct no_tables {};
 struct without_tables {
     template <class Filter, class ParallelFor>
@@ -58,7 +58,7 @@ struct without_tables {
     }
 };
 
-/// Of blocks that leave nothing for later: a row.
+/// Tile of blocks that leave nothing for later: one row.
 struct one_row {
     static constexpr int rows = 1;
 };

@@ -24,7 +24,7 @@
 
 namespace umbrage::detail {
 
-/// Reads stored texels one by one, of encodings that have a fast form for that. Maps of others are decoded first.
+/// Texels that are read one by one as stored, for encodings with a fast form for that. Other maps are decoded first.
 [[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
 template <int Bits>
 [[nodiscard]] rg_texels texels_of(image_view<const glm::u8vec2> map, const rg<Bits>& encoding) {
@@ -35,12 +35,12 @@ concept has_texels_form = requires(image_view<const typename Encoding::texel> ma
     texels_of(map, e);
 };
 
-/// Tells whether a form reads an encoding's maps as they are stored.
+/// True when a form reads an encoding's maps as stored.
 template <class Form, class Encoding>
 inline constexpr bool reads_stored = std::is_same_v<Encoding, depth32f> ||
                                      (Form::need == map_need::texels && has_texels_form<Encoding>);
 
-/// A map as a form reads it: as it is stored, or decoded.
+/// Map as a form reads it: as stored, or decoded.
 template <class Encoding, bool Stored>
 struct form_map {
     decltype(texels_of(image_view<const typename Encoding::texel>(), std::declval<Encoding>())) texels;
@@ -59,7 +59,7 @@ struct form_map<Encoding, false> {
     }
 };
 
-/// Tells whether a form can read a map. A map that must be decoded first has to be worth it for so many receivers.
+/// True when a form can read a map. Decoding a map must pay off for that number of receivers.
 template <class Form, class Texel>
 [[nodiscard]] bool form_takes(image_view<const Texel> map, bool stored, glm::ivec2 receivers) {
     const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every filter's fast form over images, which visibility() then finds by the filter's type.
+// List of every filter's fast form over images. visibility() finds them by the filter's type.
 //
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Four taps over blocks of receivers.
+// Four-tap filter over blocks of receivers.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct four_tap_blocks {
         placed_tap taps[4];
         alignas(64) std::int32_t compared[block];
     };
-    static constexpr int space = 1 << 17;  // of the four taps' sum
+    static constexpr int space = 1 << 17;  // for the sum of the four taps
     Map map;
     std::array<glm::vec2, 4> offsets;
 

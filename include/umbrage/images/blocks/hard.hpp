@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The unfiltered test over blocks of receivers, and the tap that it shares with other filters.
+// Hard shadow test over blocks of receivers, and the tap that it shares with other filters.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace umbrage::detail {
 
-/// Taps that are receivers' own texels, clamped to the map: floor(coord + offset), as four taps have it. That is not
-/// floor(coord) + offset where the sum rounds up to a whole number: filters over neighbors move the texel instead.
+/// Taps on the receivers' own texels, clamped to the map: floor(coord + offset), as in four_tap. That differs from
+/// floor(coord) + offset where the sum rounds up to an integer. Filters over neighbors move the texel instead.
 struct placed_tap {
     alignas(64) std::int32_t offsets[block];
 
-    /// @param space   texels that a receiver can ask for, in each direction
+    /// @param space   texels that a receiver can read, in each direction
     template <class T>
     UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset, int space) {
         const texel_bytes memory(map);

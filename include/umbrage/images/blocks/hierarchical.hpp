@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Filters over many texels for receivers most of which are wholly lit or wholly in shadow. Those read the bounds of all
-// their texels, one number each, and only the rest read every texel. The result is the same, bit for bit.
+// Hierarchical evaluation of filters over many texels. Most receivers are entirely lit or in shadow: they read only the
+// bounds of their texels. The other receivers read every texel. Results have the same bits.
 //
-// visibility() evaluates filters::box, window and disc so where bounds_pay().
+// visibility() uses it for filters::box, window and disc where bounds_pay().
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::box{8}, out);
 //
@@ -25,13 +25,13 @@
 
 namespace umbrage::detail {
 
-/// A block of which no receiver is compared, as all over the sky.
+/// Result of a block without a compared receiver, as all over the sky.
 UMBRAGE_INLINE inline void light_all(float* visibility) {
     for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
 }
 
-/// What bounds say of a block: lit or dark, and which receivers are open, as their texels differ.
-/// @return   whether any is open: not 0
+/// Result of a block from bounds: lit, dark, or open where the receiver's texels differ.
+/// @return   not 0 if any receiver is open
 template <class Test>
 UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std::int32_t* offsets,
                                               const std::int32_t* compared, const float* depths, float* visibility,
@@ -50,8 +50,8 @@ UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std:
     return any;
 }
 
-/// The open receivers of a tile of 64 x 8. They lie close to each other, so that one copy of the map serves them all,
-/// and fill their blocks, which those of a row alone do not.
+/// Open receivers of a tile of 64 x 8. They are close to each other, so one copy of the map serves them all. They also
+/// fill their blocks, which those of a single row do not.
 struct open_receivers {
     static constexpr int rows = 8, room = rows * block;
     alignas(64) float xs[room], ys[room], zs[room];
@@ -61,7 +61,7 @@ struct open_receivers {
 
     UMBRAGE_INLINE void add(const receiver_block& r, const std::int32_t* open, int of, float* out) {
         const auto word = [](float& to, const float& from)
-                              UMBRAGE_INLINE { std::memcpy(&to, &from, sizeof to); };  // more a cycle than floats
+                              UMBRAGE_INLINE { std::memcpy(&to, &from, sizeof to); };  // more per cycle than floats
         int end = count;
         for (int i = 0; i < of; ++i) {
             word(xs[end], r.xs[i]);
@@ -73,12 +73,13 @@ struct open_receivers {
         count = end;
     }
 
-    /// Copies behind them: if all boxes of a block are in the map, none needs care.
+    /// Fills the last block with copies: if all boxes of a block are in the map, none needs care.
     UMBRAGE_INLINE void fill_last_block() {
         for (int i = count; i % block != 0; ++i) xs[i] = xs[0], ys[i] = ys[0], zs[i] = zs[0];
     }
 };
 
+/// Blocks that try bounds first.
 /// @tparam Blocks   of the filter that reads every texel of its box
 template <class Blocks>
 struct hierarchical_blocks {
@@ -86,7 +87,7 @@ struct hierarchical_blocks {
     using tile = open_receivers;
     struct placed {
         receiver_block r;
-        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< of those that are compared
+        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< of the compared receivers
     };
     const box_bounds& tree;
     Blocks every_texel;
@@ -145,7 +146,8 @@ private:
         open.count = 0;
     }
 
-    /// Makes the map a copy of the texels that receivers ask for, and these relative to it, where they all fit.
+    /// Replaces the map by a copy of the texels that the receivers read, and makes these relative to it, if they all
+    /// fit.
     UMBRAGE_INLINE void read_copy(tile& open, image_view<const float>& map) const {
         glm::ivec2 first(every_texel.first(open.xs[0]), every_texel.first(open.ys[0])), last = first;
         for (int from = 0; from < open.count; from += block)
@@ -165,7 +167,8 @@ private:
     }
 };
 
-/// Turns go by the place in a block: one that has an open receiver is looked up whole.
+/// Discs that try bounds first. Rotations go by the place in a block, so a block with an open receiver is filtered
+/// whole.
 template <depth_direction Direction>
 struct hierarchical_disc_blocks {
     using test = block_test<Direction>;
@@ -202,36 +205,37 @@ struct hierarchical_disc_blocks {
     }
 };
 
-/// Texels that a filter reads in a row, at most.
+/// Largest number of texels that a filter reads in a row.
 [[nodiscard]] inline int width_of(const filters::box& filter) {
     return 2 * clamp_int(filter.radius, max_box_radius) + 1;
 }
 [[nodiscard]] inline int width_of(const filters::window& filter) { return filter.row.touched(); }
 [[nodiscard]] inline int width_of(const filters::disc& filter) { return reached_texels(filter.reach()).count(); }
 
-/// Whether an image is filtered in less time by bounds, with the pass over the map that makes them.
+/// True when an image is filtered faster by bounds, including the pass over the map that makes them.
 ///
 /// Neighbors in the image of receivers should be near each other in the map: discs of random receivers lose (0.6).
 /// @param width   texels that the filter reads in a row
 // Gain for 2048 x 2048 texels and 1920 x 1080 receivers, shadow_render's scene and a floor with boxes. Box of radius 2:
 // 1.2, 0.9; 3: 1.4, 1.1; 4: 4.4, 3.5; 8: 1.7, 4.0. castano<5>: 2.0, 1.5; castano<7>: 2.4, 1.7. disc<16> of radius 4:
-// 4.3, 3.8; 8: 1.2, 2.9; 16: 1.3, 0.8. At 2.5 texels a receiver, box of radius 3: 1.2, 1.0; at 16, radius 4: 1.4, 1.3.
+// 4.3, 3.8; 8: 1.2, 2.9; 16: 1.3, 0.8. At 2.5 texels per receiver, box of radius 3: 1.2, 1.0; at 16, radius 4: 1.4,
+// 1.3.
 [[nodiscard]] inline bool bounds_pay(int width, glm::ivec2 map, glm::ivec2 receivers) {
-    if (map.x < block) return false;            // bounds come in whole blocks: they would outgrow the map
-    if (width < 6 || width > 17) return false;  // narrower: as cheap; wider: their texels mostly differ
+    if (map.x < block) return false;            // bounds come in full blocks and would outgrow the map
+    if (width < 6 || width > 17) return false;  // narrower: no gain. Wider: their texels mostly differ
     const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
-    // From 9 on, bounds are of squares of 4 x 4, not 2 x 2, and take 0.9 ms to make, not 2.1.
+    // From 9 texels on, bounds are of squares of 4 x 4, not 2 x 2, and take 0.9 ms to make, not 2.1 ms.
     return area(map) <= (width < 9 ? 2.5 : 16.0) * area(receivers);
 }
 
-/// Bounds of a map, and the tables of the blocks that read every texel.
+/// Bounds of a map, and tables of the blocks that read every texel.
 template <class Tables>
 struct bounds_and {
     box_bounds tree;
     Tables other;
 };
 
-/// The form of a filter that asks bounds first, whether it pays or not.
+/// Form of a filter that tries bounds first, even where that does not pay.
 template <class Filter>
 struct hierarchical_form : every_texel_form<Filter> {
     using reads = every_texel_form<Filter>;
@@ -249,7 +253,7 @@ struct hierarchical_form : every_texel_form<Filter> {
     }
 };
 
-/// The form that reads every texel, or the other where bounds_pay().
+/// Form that reads every texel, or tries bounds first where bounds_pay().
 template <class Filter>
 struct faster_form : every_texel_form<Filter> {
     using by_bounds = hierarchical_form<Filter>;

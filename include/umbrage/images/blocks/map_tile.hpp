@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A copy of the part of a map that some receivers ask for. Rows of a map that lie a multiple of 2048 bytes apart share
-// their places in a first-level cache, which has few for each: high boxes push their own rows out of it. In a tile they
-// do not.
+// Copy of the part of a map that some receivers read. Rows of a map that are a multiple of 2048 bytes apart share their
+// places in the first-level cache, which has few of each. Tall boxes then evict their own rows. In a tile they do not.
+//
 //
 //     map_tile tile;
 //     if (map_tile::helps(map.stride, width) && map_tile::holds(first, last)) tile.copy(map, first, last);
@@ -28,7 +28,7 @@ struct map_tile {
         return last.x - first.x < columns && last.y - first.y < rows;
     }
 
-    /// @param last   texel of the map, which the tile must hold; at least eight columns
+    /// @param first, last   texels of the map that the tile must hold; at least eight columns
     UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
         const int count = last.x - first.x + 1;
         const auto eight = [](const float* from, float* to)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bilinear 2x2 percentage-closer filtering over blocks of receivers.
+// Bilinear 2x2 percentage-closer filtering (PCF) over blocks of receivers.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace umbrage::detail {
 
-/// A position clamped to the middles of the map's border texels has the same neighbors and weights that add up to the
-/// same, so that both neighbors are in the map and one load gets them.
+/// Bilinear filter with positions clamped to the centers of the map's border texels. These have the same neighbors, and
+/// weights with the same sum. So both neighbors are in the map, and one load gets them.
 template <depth_direction Direction, class Map>
 struct pcf_2x2_blocks {
     using test = block_test<Direction>;
@@ -26,7 +26,7 @@ struct pcf_2x2_blocks {
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map.map);
-        constexpr int space = (1 << 15) + 1;  // a receiver in it may ask for the texel beyond
+        constexpr int space = (1 << 15) + 1;  // a receiver inside may read the next texel
         const int last_x = last_in_space(map.map.size.x, space), last_y = last_in_space(map.map.size.y, space);
         const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
             const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));

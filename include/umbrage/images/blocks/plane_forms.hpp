@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Which blocks a filter has for receivers that are compared along their own planes, and those blocks.
+// Blocks of filters for receivers that are compared along their own planes.
 //
-// At the map's border a clamped texel keeps its own place on the plane, so that a form which clamps is right only where
-// a filter stays inside the map: plane_visibility.hpp calls the filter itself for the rest.
+// At the map's border a clamped texel keeps its own place on the plane. A form that clamps is therefore right only
+// where the filter stays inside the map. For other receivers, plane_visibility.hpp calls the filter itself.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace umbrage::detail {
 
-/// A filter's blocks for receivers with planes.
+/// Blocks of a filter for receivers with planes.
 template <class Blocks>
 struct plane_blocks {
     static constexpr bool rounds = true;  ///< products of slopes: no FMA
@@ -37,7 +37,7 @@ struct plane_blocks {
     }
 };
 
-/// Boxes of any radius; of radius 0 the receiver's own texel.
+/// Boxes of any radius. Radius 0 is the receiver's own texel.
 template <depth_direction Direction>
 struct plane_box_blocks {
     using test = block_test<Direction>;
@@ -87,7 +87,7 @@ struct plane_box_blocks {
     }
 
 private:
-    /// @param window   lanes of a row that the box has: all bits
+    /// @param window   all bits in the lanes of a row that belong to the box
     template <class Placed>
     [[nodiscard]] UMBRAGE_INLINE std::int32_t count_box(const Placed& at, int i, const std::int32_t* window) const {
         const int x = at.x[i], y = at.y[i], registers = (side() + lanes - 1) / lanes;
@@ -118,7 +118,7 @@ private:
     }
 };
 
-/// How a filter works on receivers with planes; the primary template: it is called for each of them.
+/// Form of a filter for receivers with planes. Without one, as in the primary template, the filter is called for each.
 template <class Filter>
 struct plane_form;
 template <class Filter>
@@ -126,7 +126,7 @@ concept has_plane_form = requires {
     plane_form<Filter>::need;
 };
 
-/// A form's blocks, of receivers with planes.
+/// Blocks of a form, for receivers with planes.
 template <class Form>
 struct on_planes : Form {
     template <depth_direction Direction, class Filter, class Tables>
@@ -136,7 +136,7 @@ struct on_planes : Form {
     }
 };
 
-/// pcf_2x2 as a window of one weight: the same four texels, weights and sum.
+/// pcf_2x2 as a kernel of one weight: the same four texels, weights and sum.
 struct one_weight_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 2;
@@ -152,7 +152,7 @@ struct one_weight_form {
     }
 };
 
-/// Boxes, and the receiver's own texel as one of radius 0.
+/// Boxes, and the receiver's own texel as a box of radius 0.
 struct plane_box_form : without_tables {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Blocks of receivers that are compared along their own planes: each texel that a form has loaded is moved as
-// apply_receiver_plane moves it. A form that takes planes has rows_on_planes() move the registers that it loads, or
-// move_texels() a texel of each receiver; where receivers have no planes both compile to nothing.
+// Blocks of receivers that are compared along their own planes: each loaded texel is moved as in apply_receiver_plane.
+// A form that takes planes uses rows_on_planes() to move the registers that it loads, or move_texels() to move one
+// texel per receiver. For receivers without planes both compile to nothing.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
-/// The planes of a block: where each receiver lies, and its slope.
+/// Planes of a block: position and slope of each receiver.
 struct plane_block {
     alignas(64) float x[block], y[block], slope_x[block], slope_y[block];
     float cleared;  ///< depth of the far plane
@@ -39,26 +39,28 @@ struct plane_block {
     }
 };
 
-/// The rows of texels around one receiver, as a form loads them.
+/// Rows of texels around one receiver, as a form loads them.
 template <int Lanes>
 struct plane_rows {
     static constexpr int chunk = Lanes;
     float slope, x, first, cleared;
-    alignas(32) float beside[24];  ///< of each row: what its distance from the receiver adds to the plane
+    alignas(32) float beside[24];  ///< per row: what its distance from the receiver adds to the plane
 
-    /// @param column, row   of the first texel;   rows  of texels, at most 24
+    /// @param column, row   first texel
+    /// @param rows          number of rows of texels, at most 24
     UMBRAGE_INLINE plane_rows(const plane_block& planes, int i, int column, int row, int rows)
         : slope(planes.slope_x[i]), x(planes.x[i]), first(static_cast<float>(column)), cleared(planes.cleared) {
         const float y = planes.y[i], slope_y = planes.slope_y[i];
         for (int j = 0; j < rows; j += chunk)
             for (int k = 0; k < chunk; ++k) beside[j + k] = slope_y * (static_cast<float>(row + j + k) + 0.5f - y);
     }
-    /// @param moved   columns from the first on;   row  from the first on
+    /// @param moved   columns from the first one
+    /// @param row     row from the first one
     UMBRAGE_INLINE void move(int moved, int row, lanes_of<float, Lanes>& texels) const {
         move_to_plane<Lanes>(slope, first + static_cast<float>(moved), x, beside[row], cleared, texels);
     }
 };
-/// The same of receivers without planes.
+/// Rows of texels around a receiver without a plane.
 template <int Lanes>
 struct rows_as_stored {
     UMBRAGE_INLINE void move(int, int, lanes_of<float, Lanes>&) const {}
@@ -71,7 +73,7 @@ template <int Lanes, class Placed>
     else return rows_as_stored<Lanes>{};
 }
 
-/// A texel of receiver i, moved.
+/// Texel of receiver i, moved along its plane.
 template <class Placed>
 [[nodiscard]] UMBRAGE_INLINE inline float moved_texel([[maybe_unused]] const Placed& at, [[maybe_unused]] int i,
                                                       float stored, [[maybe_unused]] int column,
@@ -81,8 +83,8 @@ template <class Placed>
     else return stored;
 }
 
-/// Moves a texel of each receiver of a block.
-/// @param column, row   i -> of the texel, whether in the map or not
+/// Moves one texel of each receiver of a block.
+/// @param column, row   return the texel's position for receiver i, inside or outside the map
 template <class Placed, class Column, class Row>
 UMBRAGE_INLINE inline void move_texels(const Placed& at, const Column& column, const Row& row, float* texels) {
     if constexpr (requires { at.planes; }) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Blocks of 64 receivers, wherever they come from: x(i), y(i) in texels, z(i) depth.
+// Blocks of 64 receivers, from any source: x(i), y(i) in texels, z(i) depth.
 //
 //     receiver_room room;
 //     blocks.place(block_at(receivers, walk, room, set), placed);
@@ -24,7 +24,7 @@
 
 namespace umbrage::detail {
 
-/// A block of receivers, one after the other as in an image. Element by element: GCC does not vectorise whole vec3s.
+/// Block of receivers as in an image, one after the other. Read by element: GCC does not vectorize whole vec3s.
 struct receiver_texels {
     const glm::vec3* first;
     [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
@@ -32,7 +32,7 @@ struct receiver_texels {
     [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
 };
 
-/// The same in three planes.
+/// Block of receivers in three planes.
 struct receiver_rows {
     const float *first_x, *first_y, *first_z;
     [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
@@ -40,7 +40,7 @@ struct receiver_rows {
     [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
 };
 
-/// The same in memory of its own.
+/// Block of receivers in its own memory.
 struct receiver_block {
     alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
     [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
@@ -58,7 +58,7 @@ struct receiver_block {
     }
 };
 
-/// Asks blocks whether all their receivers lie in a rectangle of the map.
+/// Test for blocks whose receivers are all in a rectangle of the map.
 class receiver_rectangle {
 public:
     receiver_rectangle(glm::vec2 low, glm::vec2 high) {
@@ -77,8 +77,8 @@ public:
                       std::int32_t(r.y(i) >= low_[1]) & std::int32_t(r.y(i) <= high_[1]);
         return inside != 0;
     }
-    /// As they lie in memory, depths among them: to take them apart costs as much as a whole hard test. Where a depth
-    /// is no finite number, the answer may be that they do not.
+    /// Tests values in memory order, depths included: separating them costs as much as a whole hard test. The result
+    /// may be false where a depth is not finite.
     [[nodiscard]] UMBRAGE_INLINE bool holds(const receiver_texels& r) const {
         const auto* const values = reinterpret_cast<const float*>(r.first);
         std::int32_t inside = 1;
@@ -89,15 +89,15 @@ public:
     }
 
 private:
-    static constexpr int period = 48;  // of three values and of sixteen lanes
+    static constexpr int period = 48;  // a multiple of three values and of sixteen lanes
     alignas(64) float low_[period], high_[period];
 };
 
-/// A walk over the blocks of some rows: tile by tile, each of so many rows, from the first up to `last`.
+/// Walk over the blocks of some rows: tile by tile, each of `rows` rows, from the first row up to `last`.
 struct block_walk {
     int x, y, width;
-    int rows = 1, last = 0;  ///< which one row of blocks after the other need not know
-    int first = y;           ///< of the tile
+    int rows = 1, last = 0;  ///< not needed by a walk of one row of blocks after the other
+    int first = y;           ///< first row of the tile
 
     [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
     [[nodiscard]] UMBRAGE_INLINE bool ends_tile() const { return y + 1 == first + rows || y + 1 == last; }
@@ -108,14 +108,14 @@ struct block_walk {
     }
 };
 
-/// Memory for a block of receivers that cannot be read where they are.
+/// Memory for a block of receivers that cannot be read in place.
 struct receiver_room {
-    alignas(64) float rows[5][block];  ///< x, y, depth, and of planes their slopes
+    alignas(64) float rows[5][block];  ///< x, y, depth, and for planes their slopes
     alignas(64) glm::vec3 texels[block];
 };
 
-/// Returns a block of `count` values: a whole one as it is, a shorter one copied to `room`. Zeros fill the copy; they
-/// reach no result.
+/// Block of `count` values: a full one in place, a shorter one copied to `room`. Zeros fill the copy, and reach no
+/// result.
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE inline const T* whole_block(const T* from, int count, T* room) {
     if (count == block) return from;
@@ -123,12 +123,12 @@ template <class T>
     return room;
 }
 
-/// A block of receivers as values that are valid as long as `room` is.
+/// Block of receivers as values that are valid as long as `room` is.
 template <isa Set>
 [[nodiscard]] UMBRAGE_INLINE inline auto block_at(const image_view<const glm::vec3>& from, const block_walk& at,
                                                   receiver_room& room, isa_constant<Set>) {
     const receiver_texels texels{whole_block(from.row(at.y) + at.x, at.count(), room.texels)};
-    if constexpr (Set == isa::base) {  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+    if constexpr (Set == isa::base) {  // for SSE, GCC separates vec3s only in a loop that does nothing else
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i)
             room.rows[0][i] = texels.x(i), room.rows[1][i] = texels.y(i), room.rows[2][i] = texels.z(i);
@@ -172,7 +172,7 @@ template <isa Set>
     return {room.rows[0], room.rows[1], room.rows[2]};
 }
 
-/// Starts to fetch the receivers some blocks ahead, or of the next tile: hardware prefetching stops at the end of a
+/// Prefetches the receivers some blocks ahead, or of the next tile. Hardware prefetching stops at the end of a memory
 /// page.
 template <class T>
 UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {

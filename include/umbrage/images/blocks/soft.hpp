@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Contact hardening over blocks of receivers: discs as in disc.hpp, with a radius for each receiver.
+// Contact hardening (PCSS, DPCF) over blocks of receivers: discs as in disc.hpp, with a radius per receiver.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,14 @@
 
 namespace umbrage::detail {
 
-/// floor(a / b); 0 <= a < 2^24, 1 <= b, as floor_divide.
+/// floor(a / b), as floor_divide, for 0 <= a < 2^24 and 1 <= b.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t divide_int(std::int32_t a, std::int32_t b) {
     auto q = static_cast<std::int32_t>(static_cast<float>(a) / static_cast<float>(b));
     q -= std::int32_t(q * b > a);
     return q + std::int32_t((q + 1) * b <= a);
 }
 
+/// Blocks of a filter with contact hardening.
 /// @tparam Filter   filters::pcss or filters::dpcf
 template <depth_direction Direction, class Filter>
 struct soft_blocks : disc_blocks<Direction> {
@@ -57,7 +58,7 @@ private:
         return above < max_radius ? above : max_radius;
     }
 
-    /// Loads the texels below a point of each receiver's disc.
+    /// Loads the texels below one point of each receiver's disc.
     template <class Placed>
     UMBRAGE_INLINE void load_tap(const Placed& at, int point, const std::int32_t* radii,
                                  loaded_texels<float_texels>& texels) const {
@@ -131,7 +132,7 @@ template <class Filter>
 struct soft_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
-    /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
+    /// Rotated points in 1/16 of 1/64 of a radius. With a radius of 4 texels there is nothing to divide by.
     template <class ParallelFor>
     [[nodiscard]] static disc_table tables(const float_texels&, const Filter& filter, ParallelFor&&) {
         return {points_of_disc(filter.points).begin(), filter.points, 4.0f};

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Maps as blocks of receivers see them: floats, and the two channels of rg with any number of bits. What else there is
-// is decoded to floats first. A block's texels are loaded word by word, and compared in loops that vectorise.
+// Maps as blocks of receivers read them: floats, and the two channels of rg with any number of bits. Other encodings
+// are decoded to floats first. A block's texels are loaded word by word, and compared in loops that vectorize.
 //
-//     umbrage::detail::loaded_texels<float_texels> texels(map);
-//     texels.load_one(memory, offsets);
 //     lit += test::lit(texels.receiver(depth), texels.one(i));
 //
 #pragma once
@@ -27,16 +25,17 @@
 
 namespace umbrage::detail {
 
-/// The comparison of a direction, in numbers and masks.
+/// Comparison in a depth direction, as numbers and masks.
 template <depth_direction Direction>
 struct block_test {
     static constexpr bool forward = Direction == depth_direction::forward;
 
-    /// 1 when lit. A NaN is not.
+    /// 1 when lit. NaN is not.
     [[nodiscard]] static UMBRAGE_INLINE std::int32_t lit(float receiver, float stored) {
         return forward ? is_lit(receiver, stored) : is_lit(stored, receiver);
     }
-    /// Of texels whose depths lie between bounds, the lower a NaN where one is: whether all are lit; whether none is.
+    /// Bounds tests of a receiver: true when all texels between the bounds are lit, or when none is. The lower bound is
+    /// NaN where a texel is.
     [[nodiscard]] static UMBRAGE_INLINE std::int32_t all_lit(float receiver, float least, float greatest) {
         return forward ? is_lit(receiver, least) : is_lit(greatest, receiver) & is_lit(least, greatest);
     }
@@ -49,13 +48,13 @@ struct block_test {
     }
 };
 
-/// A map of floats.
+/// Map of floats.
 struct float_texels {
     using texel = float;
     image_view<const float> map;
 };
 
-/// A map of rg.
+/// Map of rg texels.
 struct rg_texels {
     using texel = glm::u8vec2;
     image_view<const glm::u8vec2> map;
@@ -63,7 +62,7 @@ struct rg_texels {
     float edge;
 };
 
-/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+/// Texels of a map by their distance in bytes from the first one. It fits 32 bits, so loops vectorize.
 template <class T>
 struct texel_bytes {
     const std::byte* data;
@@ -81,8 +80,8 @@ struct texel_bytes {
     }
 };
 
-/// A block of words from where offsets point to, and blocks of those in the rows below, in turns. As many words as fill
-/// a small register make one store: left alone, compilers want more at once than they can hold.
+/// Gathers a block of words from offsets, and blocks of words from the rows below. Words that fill a small register
+/// make one store. Without that, compilers want more at once than they can hold.
 template <class Word, class T, class... To>
 UMBRAGE_INLINE inline void gather(const texel_bytes<T>& memory, const std::int32_t* offsets, To*... rows) {
     using words = lanes_of<Word, 16 / sizeof(Word)>;
@@ -104,11 +103,11 @@ UMBRAGE_INLINE inline void gather(const texel_bytes<T>& memory, const std::int32
     }
 }
 
-/// Texels loaded for a block of receivers: one for each receiver, or two neighbors in each of two rows.
+/// Texels loaded for a block of receivers: one per receiver, or two neighbors in each of two rows.
 template <class Map>
 struct loaded_texels;
 
-/// Floats need no decoding, and two of them are one word.
+/// Float texels. They need no decoding, and two of them are one word.
 template <>
 struct loaded_texels<float_texels> {
     alignas(64) float depths[2 * block];
@@ -126,8 +125,7 @@ struct loaded_texels<float_texels> {
     UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
 };
 
-/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^bits times the depth, which changes no
-/// result.
+/// Byte pairs, two to a word. Both sides of the comparison are scaled by 2^bits, which changes no result.
 template <>
 struct loaded_texels<rg_texels> {
     static constexpr bool little = std::endian::native == std::endian::little;
@@ -170,12 +168,12 @@ template <class T>
     return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
 }
 
-/// The last texel of a map that a receiver can ask for whose texels number less than `space`.
+/// Last texel of a map that a receiver can read, for texel numbers below `space`.
 [[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
 
-/// Starts to fetch the texels of a block, of which neighbors mostly share a cache line. Where a block starts on
-/// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
-/// receivers come to that lie askew to the map.
+/// Prefetches the texels of a block, of which neighbors mostly share a cache line. The machine cannot guess them where
+/// a block starts on another row of the map. Where receivers run diagonally across the map, they come to the rows above
+/// and below.
 template <class T>
 UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
     for (int row = -1; row <= rows; ++row)

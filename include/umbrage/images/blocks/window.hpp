@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Sliding windows over blocks of receivers, for any row of weights: a register holds a row of the window's texels, each
-// row adds its weight to the lanes that are lit, and the columns' weights are taken last.
+// Sliding kernels over blocks of receivers, for any row of weights. A register holds a row of the kernel's texels. Each
+// row adds its weight to the lanes that are lit, and the columns' weights are applied last.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace umbrage::detail {
 
-/// window_weights for all that a window can have moved; 0 beside it.
+/// window_weights for every step that a kernel can have moved; 0 outside it.
 struct window_table {
     alignas(64) float of[256][16]{};
 
@@ -31,21 +31,21 @@ template <depth_direction Direction>
 struct window_blocks {
     using test = block_test<Direction>;
     struct placed {
-        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the window
+        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the kernel
         alignas(64) std::int32_t moved_x[block], moved_y[block], inside[block], compared[block];
         alignas(64) float z[block];
-        std::int32_t all_inside;  ///< all bits if registers can be loaded for every window
+        std::int32_t all_inside;  ///< all bits if registers can be loaded for every kernel
     };
     image_view<const float> map;
     const window_row& row;
     const window_table& weights;
 
-    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< of a window
-    [[nodiscard]] UMBRAGE_INLINE int loaded() const {                        ///< of a row of texels
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< of a kernel, texels
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const {                        ///< texels per row
         return row.touched() > 8 ? 16 : (row.touched() > 4 ? 8 : 4);
     }
 
-    /// Of the texels that a receiver there asks for, along an axis.
+    /// First of the texels that a receiver reads, along an axis.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const {
         return ((floor_int(coord * 256.0f) - (row.size % 2 ? 128 : 0)) >> 8) - row.size / 2;
     }
@@ -102,7 +102,7 @@ private:
         }
     }
 
-    /// Four rows of four texels, two in a register.
+    /// Weights four rows of four texels, two per register.
     template <class Placed>
     UMBRAGE_INLINE void weigh_four_rows(const Placed& at, int i, const std::byte* texels, std::ptrdiff_t stride,
                                         const float* rows, const float* columns, lanes_of<float, 4>& sum) const {
@@ -131,7 +131,7 @@ private:
         sum = (upper + lower) * sum;
     }
 
-    /// All of them: those that are not inside weigh the map's first texels.
+    /// Weights texels for all receivers. Those outside the map use the map's first texels.
     template <int Lanes, int Registers, int Rows = 0, class Placed>
     UMBRAGE_INLINE void weigh_inside(const Placed& at, int count, float* sums) const {
         const texel_bytes memory(map);

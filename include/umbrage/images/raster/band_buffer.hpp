@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Rows of an image that are drawn to, in place or in a copy, where they do not contend for the cache.
+// Rows of an image that are drawn to: in place, or in a copy where they would contend for the cache.
 //
-//     band_buffer<> buffer;  // of a thread, for one band after the other
+//     band_buffer<> buffer;  // one per thread, for one band after the other
 //     buffer.begin(image.rows(first, last));
 //     for (const triangles& batch : ...) {
 //         buffer.expect(batch);
@@ -10,9 +10,9 @@
 //     }
 //     buffer.finish();
 //
-// A column of texels takes a cache line of each row. Where rows start a multiple of 4096 bytes apart, all these belong
-// into one set of the usual L1 cache, of 64 sets of 8 lines: stores wait for their lines, which the loads of later rows
-// have evicted meanwhile, and tall triangles take two to four times as long.
+// A column of texels takes one cache line per row. Where rows start a multiple of 4096 bytes apart, all of
+// these belong to one set of the usual L1 cache of 64 sets of 8 lines. Stores wait for lines that the loads of later
+// rows have evicted. Tall triangles then take two to four times as long.
 //
 #pragma once
 
@@ -30,17 +30,17 @@ namespace umbrage::detail {
 template <class = on_use>
 class band_buffer {
 public:
-    /// @param rows   which nobody else uses until finish()
+    /// @param rows   rows that nobody else uses until finish()
     void begin(const image_view<float>& rows) {
         in_place_ = rows_ = rows;
         left_ = bounds_a_texel(rows) * rows.size.x * rows.size.y;
     }
 
-    /// Where they are now.
+    /// Rows at their present place.
     [[nodiscard]] const image_view<float>& rows() const { return rows_; }
 
-    /// Before triangles are drawn, from a batch after set_up(): copies the rows when these are the ones that make it
-    /// worth the time.
+    /// Prepares to draw a batch, after its set_up(). Copies the rows once the triangles so far make that worth the
+    /// time.
     void expect(const triangles& batch) {
         if (left_ <= 0) return;
         for (int i = 0; i < batch.count; ++i) left_ -= std::int64_t(batch.rows[i]) * batch.columns[i];
@@ -57,9 +57,9 @@ public:
     }
 
 private:
-    /// How many triangles' bounds a texel lies in, on average, when contention has cost as much time as copying there
-    /// and back does: in one set of the cache or, at less cost, in two. So the choice costs no more than the best one
-    /// once more. 0: rows do not contend, and 8 of them never do.
+    /// Number of triangles' bounds per texel, on average, at which contention has cost as much time as copying there
+    /// and back. That is for rows in one set of the cache or, at less cost, in two. So the choice costs at most twice
+    /// the best one. 0: rows do not contend. 8 rows never do.
     [[nodiscard]] static std::int64_t bounds_a_texel(const image_view<float>& rows) {
         if (rows.size.y <= 8) return 0;
         return rows.stride % 4096 == 0 ? 2 : rows.stride % 2048 == 0 ? 8 : 0;
@@ -72,7 +72,7 @@ private:
     }
 
     image_view<float> in_place_, rows_;
-    std::int64_t left_ = 0;  // texels in bounds until they are copied
+    std::int64_t left_ = 0;  // texels in bounds until the rows are copied
     std::vector<float, line_allocator<float>> buffer_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The part of a triangle that can be drawn: in front of the near plane, within the guard band.
+// Clipping of a triangle to the part that can be drawn: behind the near plane, within the guard band.
 //
 //     clipped_polygon polygon = clip_triangle(project, a, b, c);
 //
@@ -18,19 +18,19 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
-/// A convex polygon on the grid, its smallest vertex first: a fan around that vertex is the same whichever vertex
-/// of the triangle came first, and whichever way round they went.
+/// Convex polygon on the grid, its smallest vertex first. A fan around that vertex is the same for every first vertex
+/// and winding of the triangle.
 struct clipped_polygon {
     std::array<snapped_vertex, 3 + projection::planes> vertices;
     int count = 0;  ///< 0 or 3..9
 };
 
-/// On which side of the near plane a polygon is to be. Both sides cut an edge at the same point.
+/// Side of the near plane on which a polygon is kept. Both sides cut an edge at the same point.
 enum class near_side { behind, before };
 
-/// The part of a triangle inside all planes, or of the near plane outside, where snap() gives it that plane's depth.
+/// Part of a triangle inside all planes, or outside the near plane, where snap() gives it that plane's depth.
 /// @param a,b,c   homogeneous texels
-/// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
+/// @param planes  a bit for each plane to clip against; those with all three points inside may be left out
 template <class = on_use>
 [[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
                                                    const glm::dvec4& c, unsigned planes = ~0u,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Depths of texels side by side: two registers of doubles to one of floats, rounded to the nearest.
+// Rounding of depths side by side to the nearest float: two registers of doubles to one of floats.
 //
 //     const depths_of_binade<8> depths(lowest);
-//     depths.count(first, second);  // the texels 0 .. 7, in the lanes in which it takes their depths
+//     depths.count(first, second);  // texels 0 .. 7, in the lanes in which it takes their depths
 //     depths.round(first, second, floats);
 //
 #pragma once
@@ -22,7 +22,7 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
-/// Any depths, limited to a triangle's. Floats above 0 are in the order of their bits.
+/// Rounding of any depths, limited to a triangle's. Floats above 0 have the order of their bits.
 template <int Lanes>
 class any_depths {
 public:
@@ -51,22 +51,23 @@ private:
     ints lowest_, highest_;
 };
 
-/// Depths from a power of two to the next, where floats are one step apart. A sum with a large number is rounded to
-/// that step, and the number is such that the sum's lower half then is the float: to convert doubles takes processors
-/// several times as long. Of other depths it makes anything.
+/// Rounding of depths between a power of two and the next, where floats are one step apart.
+///
+/// A sum with a large number is rounded to that step. The number is such that the sum's lower half then is the float.
+/// Conversion of doubles takes processors several times as long. Results of other depths are undefined.
 template <int Lanes>
 class depths_of_binade {
 public:
     using floats = lanes_of<float, Lanes>;
     using doubles = lanes_of<double, Lanes / 2>;
 
-    /// @param one   of the depths
+    /// @param one   one of the depths
     UMBRAGE_INLINE explicit depths_of_binade(double one) {
         const std::int32_t power = bit_cast<std::int32_t>(static_cast<float>(one)) & 0x7F800000, steps = 1 << 23;
         large_ = (0x1.8p52 + (power - steps)) * (static_cast<double>(bit_cast<float>(power)) / steps);
     }
 
-    /// Two of four texels are the first register's, which leaves the lower halves of both where a shuffle needs them.
+    /// The first register has two of every four texels, so both lower halves are where a shuffle needs them.
     UMBRAGE_INLINE static void count(doubles& first, doubles& second) {
         [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
             first = doubles{double(I / 2 * 4 + I % 2)...};
@@ -87,8 +88,9 @@ private:
     double large_;
 };
 
-/// Which triangles of a batch depths_of_binade is for: corners' depths as floats are normal numbers up to 1 with one
-/// exponent, and those of the plane there are the same floats, so that samples, which lie between, need no limit.
+/// Triangles of a batch to which depths_of_binade applies. Their corners' depths as floats are normal numbers up to 1
+/// with one exponent. The plane's depths at the corners are the same floats, so samples, which are between, need no
+/// limit.
 class triangles_of_binade {
 public:
     /// @param batch   after set_up()
@@ -96,7 +98,7 @@ public:
         using bits = std::int64_t;
         constexpr bits least_normal = bit_cast<bits>(0x1p-126), one = bit_cast<bits>(1.0);
         constexpr bool little = std::endian::native == std::endian::little;
-        for (int i = 0; i < block; ++i) {  // numbers above 0 are in the order of their bits, others below them
+        for (int i = 0; i < block; ++i) {  // numbers above 0 have the order of their bits; others are below them
             const bits a = bit_cast<bits>(batch.corner_depth(0, i)), b = bit_cast<bits>(batch.corner_depth(1, i));
             const bits c = bit_cast<bits>(batch.corner_depth(2, i)), low = a < b ? a : b, high = a < b ? b : a;
             const bits lowest = low < c ? low : c, highest = high > c ? high : c;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Where batches are drawn to: a depth image, or band by band, each by one thread.
+// Target for batches of triangles: a depth image, or bands of it, each drawn by one thread.
 //
 //     const depth_target<true> target(depth);
 //     target(batch);
-//     depth_target<true> own = target;  // a thread's
+//     depth_target<true> own = target;  // one per thread
 //     own.in_band({first, last}, [&](const auto& draw) { draw(batch); });
 //
 #pragma once
@@ -26,7 +26,7 @@ public:
 
     void operator()(const triangles& batch) const { draw<Forward>(image_, 0, batch); }
 
-    /// @param rows   first <= y < second, at least one, that nobody else draws to meanwhile
+    /// @param rows   first <= y < second, at least one row, to which nobody else draws meanwhile
     /// @param use    (draw), which calls draw(const triangles&) for batches within these rows
     template <class Use>
     void in_band(const glm::ivec2& rows, const Use& use) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangles into a depth image: the nearer of what is there and the plane's depth. Small ones are drawn all of a batch
-// at once, the others one by one, in columns of some texels' width.
+// Drawing of triangles into a depth image: the nearer of the stored depth and the plane's. All small triangles of a
+// batch are drawn at once. The others are drawn one by one, in columns some texels wide.
 //
 //     draw<true>(rows, first, batch);
 //
@@ -26,11 +26,12 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
+/// Writer of batches into rows of an image.
 /// @tparam Lanes  texels side by side, two registers of doubles
 template <bool Forward, int Lanes>
 class depth_writer {
 public:
-    /// @param rows    of the image from the first on, upwards; all that the triangles cover
+    /// @param rows    rows of the image from the first on, upwards: all that the triangles cover
     UMBRAGE_INLINE depth_writer(image_view<float> rows, int first)
         : bottom_(reinterpret_cast<std::byte*>(rows.data)),
           up_(rows.stride),
@@ -38,7 +39,7 @@ public:
           width_(rows.size.x),
           skew_(static_cast<int>(reinterpret_cast<std::uintptr_t>(bottom_) / sizeof(float) % Lanes)) {}
 
-    /// The triangles of a batch.
+    /// Draws the triangles of a batch.
     UMBRAGE_INLINE void draw(const triangles& batch) const {
         const small_triangles smaller(batch);
         for (int i = 0; i < batch.count; ++i)
@@ -59,7 +60,7 @@ private:
 
     static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
 
-    /// Prefetches the texels of a triangle: their latency is about the time that it takes to draw another small one.
+    /// Prefetches the texels of a triangle. Their latency is about the time to draw another small one.
     UMBRAGE_INLINE void expect(const triangles& batch, int i) const {
         const int last = batch.first_y[i] + lesser(batch.rows[i], 16);
         for (int y = batch.first_y[i]; y < last; ++y) prefetch_line(row(y) + batch.first_x[i]);
@@ -69,7 +70,7 @@ private:
         if (batch.rows[i] == 0) return;
         const depth_plane plane = batch.plane(i);
         if (Forward ? plane.lowest > 1.0 : plane.highest < 0.0) return;
-        if constexpr (has_lanes)  // depths of one sign, and none that is flushed: their bits are in their order
+        if constexpr (has_lanes)  // depths of one sign, none flushed: they have the order of their bits
             if (width_ >= Lanes && plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
                 if (is_of_binade) draw_columns(batch, i, plane, depths_of_binade<Lanes>(plane.lowest));
                 else draw_columns(batch, i, plane, any_depths<Lanes>(plane.lowest, plane.highest));
@@ -78,16 +79,16 @@ private:
         draw_rows(batch, i, plane);
     }
 
-    /// The nearer depth, but what is there where it is a NaN.
-    /// @param depth   no NaN, not 0
+    /// Keeps the nearer depth, but the stored one where it is NaN.
+    /// @param depth   not NaN, not 0
     UMBRAGE_INLINE static void take_nearer(float depth, float& there) {
         if constexpr (finite_math_only)
             there = select(-(Forward ? is_lit(depth, there) : is_lit(there, depth)), depth, there);
         else there = (Forward ? depth < there : depth > there) ? depth : there;
     }
 
-    /// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
-    /// @param depth   no NaN, not 0
+    /// Keeps the nearer depth per lane, but the stored one where it is NaN, or where `outside` is negative.
+    /// @param depth   not NaN, not 0
     UMBRAGE_INLINE static void take_nearer(const floats& depth, const ints& outside, floats& there) {
         const ints bits = reinterpret_cast<ints>(depth), mask = outside >> 31;
         if constexpr (finite_math_only) {
@@ -100,7 +101,7 @@ private:
         }
     }
 
-    /// Texel by texel.
+    /// Draws a triangle texel by texel.
     void draw_rows(const triangles& batch, int i, const depth_plane& plane) const {
         batch.for_each_row(i, [&](int y, int first, int last) {
             float* const texels = row(y);
@@ -113,13 +114,13 @@ private:
         });
     }
 
-    /// Column by column, in rows of a block each; the depths are within (0, 1] and normal numbers.
-    /// @param depths   rounds them, see depth_rounding.hpp
+    /// Draws a triangle column by column, in rows of a block each. Depths are normal numbers within (0, 1].
+    /// @param depths   rounds the depths, see depth_rounding.hpp
     template <class Depths>
     UMBRAGE_INLINE void draw_columns(const triangles& batch, int i, const depth_plane& plane,
                                      const Depths& depths) const {
-        // Columns begin where blocks do in memory: what two triangles share is then whole blocks, which the processor
-        // hands from a store to the next load.
+        // Columns begin where blocks do in memory. Two triangles then share full blocks, which the processor passes
+        // from a store to the next load.
         const int first_x = batch.first_x[i], first_y = batch.first_y[i], rows = batch.rows[i];
         const int from = ((first_x + skew_) & -Lanes) - skew_, end = first_x + batch.columns[i];
         const std::int32_t right[] = {batch.right[0][i], batch.right[1][i], batch.right[2][i]};
@@ -129,7 +130,7 @@ private:
         doubles ramp_first, ramp_second;
         depths.count(ramp_first, ramp_second);
 
-        // Texels x .. x_end - 1 of `height` rows; e: the edges at x and y.
+        // Texels x .. x_end - 1 of `height` rows; e: edges at x and y.
         const double dx = plane.dx, dy = plane.dy, corner = plane.z;
         const std::int32_t up0 = up[0], up1 = up[1], up2 = up[2];
         const std::ptrdiff_t stride = up_;
@@ -138,7 +139,7 @@ private:
             for (; x < x_end; x += Lanes, e0 += right[0] * Lanes, e1 += right[1] * Lanes, e2 += right[2] * Lanes) {
                 int first = 0, last = height;
                 if (height > few_rows) {
-                    // Rows in which a texel of the column can be inside all edges, or one more on either side.
+                    // Rows in which a texel of the column can be inside all edges, or one more on each side.
                     float low = 0.0f, high = static_cast<float>(height);
                     const std::int32_t start[] = {e0[0], e1[0], e2[0]};
                     for (int k = 0; k < 3; ++k) {
@@ -148,9 +149,9 @@ private:
                         high = up[k] < 0 && crossed < high ? crossed : high;
                     }
                     first = static_cast<int>(low + 0.99f), last = lesser(static_cast<int>(high + 1.01f), height);
-                    if (first >= last) continue;  // and no step to a first row far beyond the tile
+                    if (first >= last) continue;  // no step to a first row far beyond the tile
                 }
-                // At the image's borders other texels, as many, which get the same bits again.
+                // At the image's borders as many other texels are drawn, which get the same bits again.
                 const int within = lesser(greater(x, 0), width_ - Lanes), moved = within - x;
                 ints f0 = e0, f1 = e1, f2 = e2;
                 const double z = corner + dy * (y + first - first_y);

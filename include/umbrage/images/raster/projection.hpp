@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// From world positions to vertices on the 1/256 texel grid: projected and snapped, one at a time or in blocks.
+// Projection of world positions to vertices snapped to the 1/256 texel grid, one at a time or in blocks.
 //
 //     projection project(world_to_clip, clip, {1024, 1024});
 //     snapped_vertex vertex = project.snap(project.homogeneous(position));
 //
-// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only
-// mirrors rows when texels are written, so that both origins give the same picture.
+// Texels are counted from the bottom here (NDC y = -1) for every clip space. The texture origin only mirrors rows when
+// texels are written, so both origins give the same picture.
 //
 #pragma once
 
@@ -30,14 +30,14 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
-/// Steps of the vertex grid in a texel.
+/// Steps of the vertex grid per texel.
 inline constexpr int subtexels = 256;
 
-/// Largest side of an image in texels, and how far from texel 0 a vertex may lie before it is clipped:
-/// differences of vertices then stay below 2^23 steps, edge functions below 2^47.
+/// Largest side of an image in texels, and largest distance of a vertex from texel 0 before it is clipped. Differences
+/// of vertices then stay below 2^23 steps, edge functions below 2^47.
 inline constexpr int guard_band = 1 << 14;
 
-/// A vertex on the grid. The order makes results independent of the order in which a mesh lists vertices.
+/// Vertex on the grid. Its order makes results independent of the order in which a mesh lists vertices.
 struct snapped_vertex {
     std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
     double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
@@ -45,24 +45,25 @@ struct snapped_vertex {
     friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
 };
 
-/// @throws std::invalid_argument  a side is negative or above guard_band
+/// Checks the size of an image and its clip space.
+/// @throws std::invalid_argument  clip unset; a side negative or above guard_band
 inline void require_drawable(glm::ivec2 size, clip_space clip, const char* function) {
     require_given(clip, function);
     require(size.x >= 0 && size.y >= 0 && size.x <= guard_band && size.y <= guard_band, function, "size",
             "from 0 to 16384 texels a side", size);
 }
 
-/// What stands for a vertex outside of planes: off the grid, with their bits.
+/// Stand-in for a vertex outside of planes: off the grid, with their bits.
 [[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
     return {std::numeric_limits<std::int32_t>::lowest(), static_cast<std::int32_t>(planes), 0.0};
 }
 
-/// A bit for each plane that a vertex is outside of.
+/// Bits of the planes that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
     return v.x == std::numeric_limits<std::int32_t>::lowest() ? static_cast<unsigned>(v.y) : 0u;
 }
 
-/// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
+/// Projection to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]), and from there to the grid.
 /// Products of two floats are exact in double, so contraction to FMA changes no bit here.
 class projection {
 public:
@@ -70,7 +71,7 @@ public:
     static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
 
     /// @param world_to_clip  projection * view; its elements must be finite
-    /// @throws std::invalid_argument  see require_drawable
+    /// @throws std::invalid_argument  as require_drawable
     projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size, const char* function = "rasterize")
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
         require_drawable(size, clip, function);
@@ -82,7 +83,7 @@ public:
                 clip_.range == depth_range::minus_one_to_one ? (z + w) * 0.5 : z, w};
     }
 
-    /// How far inside a plane a point is; outside when negative.
+    /// Distance of a point from a plane: positive inside, negative outside.
     [[nodiscard]] double distance(int plane, const glm::dvec4& h) const {
         switch (plane) {
             case 0: return h.w - smallest_w;
@@ -94,20 +95,20 @@ public:
         }
     }
 
-    /// One bit for each plane that the point is outside of.
+    /// Bits of the planes that the point is outside of.
     [[nodiscard]] unsigned outside(const glm::dvec4& h) const {
         unsigned bits = 0;
         for (int plane = 0; plane < planes; ++plane) bits |= (distance(plane, h) < 0.0 ? 1u : 0u) << plane;
         return bits;
     }
 
-    /// Where the way from a point inside a plane to one outside meets it. The callers always go this way, so that
+    /// Intersection of a plane with the line from a point inside to one outside. Callers always use this direction, so
     /// triangles on both sides of an edge cut it at the same point.
     [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
         const double d = distance(plane, in);
         glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
         if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
-        switch (plane) {                            // what lies on the plane by definition does so to the bit
+        switch (plane) {                            // points on the plane are exactly on it
             case 0: h.w = smallest_w; break;
             case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
             case 2: h.x = -guard_band * h.w; break;
@@ -118,7 +119,8 @@ public:
         return h;
     }
 
-    /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
+    /// Nearest point of the grid, halves upwards. The point must be inside all planes: clamps only catch cut()'s
+    /// rounding.
     [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
         constexpr double limit = double(guard_band) * subtexels;
         const auto grid = [&](double v) {
@@ -132,8 +134,8 @@ public:
         return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
     }
 
-    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes, and those that are
-    /// not finite, become `outside_vertex`.
+    /// Snaps 64 positions at once, as homogeneous() and snap() do. Positions outside of planes, or not finite, become
+    /// `outside_vertex`.
     /// @exactness  the bits of one by one
     template <class = on_use>
     void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {

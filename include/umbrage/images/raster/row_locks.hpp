@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Rows of an image to which several threads draw: one thread at a time to the same ones.
+// Locks for rows of an image to which several threads draw: one thread at a time may draw to a row.
 //
 //     row_locks<> locks(height);
 //     locks.hold({first, last}, [&] { ... });
@@ -22,12 +22,12 @@ class row_locks {
 public:
     explicit row_locks(int height) : locks_(std::size_t(height / rows_a_lock + 1)) {}
 
-    /// @param rows   first <= y < second, at least one
+    /// @param rows   first <= y < second, at least one row
     /// @param use    (); must not throw
     template <class Use>
     void hold(const glm::ivec2& rows, const Use& use) {
         const std::size_t first = std::size_t(rows.x / rows_a_lock), last = std::size_t((rows.y - 1) / rows_a_lock);
-        // From the first on, in every thread, so that no two wait for each other.
+        // From the first on in every thread, so that no two threads wait for each other.
         for (std::size_t i = first; i <= last; ++i) take_lock(locks_[i].held);
         use();
         for (std::size_t i = first; i <= last; ++i) store_release(0, locks_[i].held);
@@ -36,7 +36,7 @@ public:
 private:
     static constexpr int rows_a_lock = 16;
 
-    struct alignas(64) lock {  // a cache line each: threads at other rows take none from each other
+    struct alignas(64) lock {  // one cache line each: threads at other rows take none from each other
         int held = 0;
     };
     std::vector<lock> locks_;

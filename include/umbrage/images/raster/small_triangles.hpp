@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangles of a few texels, all of a batch at once: texel by texel of their bounds, each a loop over the triangles.
+// Triangles of a few texels, all of a batch at once: a loop over the triangles for each texel of their bounds.
 //
 //     const small_triangles small(batch);
 //     small.for_each_sample([&](int x, int y, float depth) { ... });
 //     for (int i = 0; i < batch.count; ++i)
 //         if (!small.has(i)) ...  // one by one
 //
-// One by one, such a triangle takes a register for each edge and a loop over rows for two samples.
+// One by one, such a triangle would take a register per edge and a loop over rows for two samples.
 //
 #pragma once
 
@@ -26,14 +26,14 @@ namespace umbrage::detail {
 
 class small_triangles {
 public:
-    /// Finds them: bounds of a few texels either way, depths within (0, 1] that are normal numbers. None are taken
-    /// where they are too few to pay for what is done for all triangles of the batch.
-    /// @param batch   after set_up(); it must stay
+    /// Finds them: bounds of a few texels on each side, depths that are normal numbers within (0, 1]. Takes none if
+    /// they are too few to pay for the work on all triangles of the batch.
+    /// @param batch   after set_up(). It must outlive this object
     UMBRAGE_INLINE explicit small_triangles(const triangles& batch) : batch_(batch) {
         using bits = std::int64_t;
         constexpr bits least_normal = bit_cast<bits>(0x1p-126), one = bit_cast<bits>(1.0);
         alignas(64) std::int32_t is_plain[block];
-        for (int i = 0; i < block; ++i) {  // numbers above 0 are in the order of their bits, others below them
+        for (int i = 0; i < block; ++i) {  // numbers above 0 have the order of their bits; others are below them
             const bits a = bit_cast<bits>(batch.corner_depth(0, i)), b = bit_cast<bits>(batch.corner_depth(1, i));
             const bits c = bit_cast<bits>(batch.corner_depth(2, i)), low = a < b ? a : b, high = a < b ? b : a;
             const bits lowest = low < c ? low : c, highest = high > c ? high : c;
@@ -59,11 +59,11 @@ public:
         has_all_ = drawn == (count >= enough ? count : 0);
     }
 
-    /// Whether no others are drawn.
+    /// True when the batch draws no other triangles.
     [[nodiscard]] UMBRAGE_INLINE bool has_all() const { return has_all_; }
     [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return columns_ > 0 && last_x_[i] >= 0; }
 
-    /// @param sample   (int x, int y, float depth): a covered texel, whatever the order
+    /// @param sample   (int x, int y, float depth): a covered texel, in any order
     template <class Sample>
     UMBRAGE_INLINE void for_each_sample(const Sample& sample) const {
         for (int y = 0; y < rows_; ++y)
@@ -83,7 +83,7 @@ private:
     static constexpr int side = 4;  // texels
     static constexpr int enough = block / 4;
 
-    /// Which triangles cover the texel x to the right of their first one and y above it, a bit for each.
+    /// Triangles that cover the texel x to the right of their first one and y above it, one bit each.
     [[nodiscard]] UMBRAGE_INLINE std::uint64_t inside_at(int x, int y) const {
         alignas(64) std::uint32_t outside[block];  // in the sign
         for (int i = 0; i < block; ++i) {
@@ -103,7 +103,7 @@ private:
         return std::uint64_t(halves[1]) << 32 | halves[0];
     }
 
-    /// As depth_plane has it, rounded, then limited, which is the same.
+    /// Depths as of depth_plane, but rounded before they are limited, which gives the same.
     UMBRAGE_INLINE void find_depths(int x, int y, float (&depths)[block]) const {
         for (int i = 0; i < block; ++i) {
             std::int32_t depth = bit_cast<std::int32_t>(static_cast<float>(batch_.depth(i, x, y)));
@@ -119,9 +119,9 @@ private:
     }();
 
     const triangles& batch_;
-    int columns_ = 0, rows_ = 0;  // the most that one has
+    int columns_ = 0, rows_ = 0;  // largest of any triangle
     bool has_all_ = false;
-    alignas(64) std::int32_t last_x_[block], last_y_[block];   // from the first; -1: it is none
+    alignas(64) std::int32_t last_x_[block], last_y_[block];   // from the first texel; -1: not a small triangle
     alignas(64) std::int32_t lowest_[block], highest_[block];  // depths, as bits of floats
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Some triangles of a mesh in some instances, their vertices projected and snapped: what fits a cache at a time.
+// Chunk of a mesh's triangles in some instances, with vertices projected and snapped: as many as fit a cache.
 //
 //     snapped_chunk chunk(mesh, projections);
 //     chunk.take(first_triangle, first_instance, 1 << 16);
@@ -27,8 +27,8 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
-/// Room for vertices, each written before it is read: a vector would write them twice. (<memory>, which has a class
-/// for this, brings the streams along.)
+/// Memory for vertices, each written before it is read. A vector would write them twice. (<memory>, which has a class
+/// for this, includes the streams.)
 class unwritten_vertices {
 public:
     unwritten_vertices() = default;
@@ -36,7 +36,7 @@ public:
     unwritten_vertices& operator=(const unwritten_vertices&) = delete;
     ~unwritten_vertices() { delete[] data_; }
 
-    /// Of which nothing is kept.
+    /// Makes room for `count` vertices. Keeps nothing.
     void make(std::size_t count) {
         if (count <= count_) return;
         delete[] data_;
@@ -80,7 +80,7 @@ template <class = on_use>
     return range;
 }
 
-/// Of a chunk: which instance of those in it, and which triangle of the mesh.
+/// Instance of a chunk, and triangle of the mesh.
 struct drawn_triangle {
     std::size_t instance, triangle;
 };
@@ -90,10 +90,10 @@ class snapped_chunk {
 public:
     explicit snapped_chunk(const mesh_view& mesh) : mesh_(mesh) {}
 
-    /// From a triangle and an instance on: the rest of the mesh, and as many instances more as `most` has room for, or
-    /// `most` triangles.
-    /// @param instances   those from that instance on, at least one
-    /// @param indices     of the triangles that are taken
+    /// Takes triangles from a given one and a given instance on. These are the rest of the mesh and as many further
+    /// instances as `most` has room for, or `most` triangles.
+    /// @param instances   from that instance on, at least one
+    /// @param indices     range of the vertex indices of these triangles
     void take(std::size_t first, std::span<const projection> instances, std::size_t most, const index_range& indices) {
         first_ = first;
         triangles_ = lesser(most, mesh_.triangles.size() - first);
@@ -114,7 +114,7 @@ public:
     void snap(ParallelFor&& parallel) {
         const std::size_t blocks = stride_ / block * instances_.size();
         vertices_.make(blocks * block);
-        constexpr std::size_t piece = 64;  // that a thread takes at a time
+        constexpr std::size_t piece = 64;  // blocks that a thread takes at a time
         parallel(static_cast<int>((blocks + piece - 1) / piece), [&](int begin, int end) {
             for (std::size_t i = std::size_t(begin) * piece; i < lesser(std::size_t(end) * piece, blocks); ++i) {
                 const std::size_t instance = i * block / stride_, vertex = i * block - instance * stride_;
@@ -138,7 +138,7 @@ public:
         return vertices_[at.instance * stride_ + vertex];
     }
 
-    /// A corner before it was snapped.
+    /// Corner before it was snapped.
     [[nodiscard]] glm::dvec4 homogeneous(const drawn_triangle& at, glm::length_t corner) const {
         return instances_[at.instance].homogeneous(mesh_.positions[mesh_.triangles[at.triangle][corner]]);
     }
@@ -153,9 +153,9 @@ private:
     mesh_view mesh_;
     std::span<const projection> instances_;
     std::size_t first_ = 0, triangles_ = 0;
-    std::size_t used_ = 0, stride_ = 0;  // vertices of an instance, and in whole blocks
+    std::size_t used_ = 0, stride_ = 0;  // vertices of an instance, and the same rounded up to blocks
     unsigned lowest_ = 0;                // index
-    bool by_corner_ = false;             // three vertices a triangle, rather than a range of the mesh's
+    bool by_corner_ = false;             // three vertices per triangle, instead of a range of the mesh's
     unwritten_vertices vertices_;
 };
 

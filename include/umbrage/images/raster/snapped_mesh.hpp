@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Instances of a mesh on the grid of an image, a chunk of triangles at a time: their vertices projected and snapped,
-// they themselves clipped and handed out in batches, in the mesh's order or so that threads draw side by side.
+// Instances of a mesh on the grid of an image, chunk by chunk: vertices projected and snapped, triangles clipped and
+// passed on in batches. Batches follow the mesh's order, or an order in which threads draw at the same time.
 //
 //     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, at_near, serial{}, "rasterize");
 //     snapped.for_each_chunk(serial{}, [&] {
@@ -37,12 +37,12 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
-/// The triangles of a mesh, once for each of some matrices, chunk by chunk.
+/// Triangles of a mesh, once for each of some matrices, chunk by chunk.
 template <class OnUse = on_use>
 class snapped_mesh {
 public:
-    /// @param to_clip   of each instance; those that are not finite draw nothing
-    /// @throws std::invalid_argument  clip unset; an index is out of range; a side of the image is above guard_band
+    /// @param to_clip   one matrix per instance; those that are not finite draw nothing
+    /// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above guard_band
     template <class ParallelFor>
     snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::mat4> to_clip, clip_space clip,
                  cull_mode cull, near_plane at_near, ParallelFor&& parallel, const char* function)
@@ -65,11 +65,11 @@ public:
     snapped_mesh(const snapped_mesh&) = delete;
     snapped_mesh& operator=(const snapped_mesh&) = delete;
 
-    /// @param use   (), which draws the chunk
+    /// @param use   (), draws the chunk
     template <class ParallelFor, class Use>
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
-        // As many vertices as a cache holds; more with threads, which are then started less often, and where pieces
-        // share their vertices with others, which would be snapped for each.
+        // As many vertices as a cache holds. More with threads, which are then started less often, and where pieces
+        // share vertices with others, which would be snapped once per piece.
         const std::size_t step = is_serial<ParallelFor> && !shares_vertices() ? piece : several_pieces;
         for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
             for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
@@ -80,15 +80,15 @@ public:
             }
     }
 
-    /// The chunk in the mesh's order.
+    /// Passes on the chunk in the mesh's order.
     /// @param draw   (const triangles&)
     template <class Draw>
     void for_each_batch(const Draw& draw) const {
         for_each_batch_of(0, chunk_.count(), draw);
     }
 
-    /// The chunk in an order that keeps texels in the cache, by threads of which no two draw to the same row at once.
-    /// @param target   see depth_target.hpp; to draw a batch must not throw
+    /// Passes on the chunk in an order that keeps texels in the cache. No two threads draw to the same row at once.
+    /// @param target   see depth_target.hpp; drawing a batch must not throw
     template <class ParallelFor, class Target>
     void for_each_batch(ParallelFor&& parallel, const Target& target) {
         const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
@@ -117,10 +117,10 @@ private:
     static constexpr int band_texels = 1 << 16, band_rows = 64;
     static constexpr unsigned piece = 1 << 16;  // triangles that a thread reads or sorts at a time
     static constexpr std::size_t several_pieces = 16 * piece;
-    static constexpr unsigned handful = 1 << 10;                  // that one draws at a time
-    static constexpr unsigned before = 1u << projection::z_near;  // the bit of that plane
+    static constexpr unsigned handful = 1 << 10;                  // triangles that a thread draws at a time
+    static constexpr unsigned before = 1u << projection::z_near;  // bit of the near plane
 
-    /// Of as many triangles, or of those that are left, from the first of a piece on.
+    /// Vertex indices of `count` triangles from the first of a piece on, or of those that remain.
     [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
         index_range all;
         for (std::size_t i = first / piece; i < indices_.size() && i * piece < first + count; ++i)
@@ -128,13 +128,13 @@ private:
         return all;
     }
 
-    /// Whether pieces reach farther over the mesh's vertices than they have corners, and several together do not.
+    /// True when pieces span more of the mesh's vertices than they have corners, and several pieces together do not.
     [[nodiscard]] bool shares_vertices() const {
         const index_range one = indices_from(0, piece), several = indices_from(0, several_pieces);
         return one.count() > 3 * piece && several.count() < 3 * lesser(several_pieces, mesh_.triangles.size());
     }
 
-    /// Of a triangle, and the planes that one of them is outside of.
+    /// Corners of a triangle, and the planes that any of them is outside of.
     struct corners {
         const snapped_vertex &a, &b, &c;
         unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
@@ -143,14 +143,14 @@ private:
         return {chunk_.vertex(at, 0), chunk_.vertex(at, 1), chunk_.vertex(at, 2)};
     }
 
-    /// Whether nothing is drawn of triangles whose corners are all outside of these planes, of which there may be none.
+    /// True when triangles draw nothing if all their corners are outside of these planes. There may be no planes.
     [[nodiscard]] bool is_out_of_sight(unsigned planes) const {
         return at_near_ == near_plane::clips ? planes != 0 : (planes & ~before) != 0;
     }
 
-    /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
-    /// before it; nothing where it is outside of another plane, or not finite.
-    /// @param use   (a, b, c, unsigned triangle), for each triangle of it
+    /// Parts that are drawn of a triangle that crosses planes: the part behind the near plane, and the part in front of
+    /// it where that plane clamps. None if the triangle is outside of another plane, or not finite.
+    /// @param use   (a, b, c, unsigned triangle), for each triangle of a part
     template <class Use>
     void for_each_part(const drawn_triangle& at, const corners& c, const Use& use) const {
         const unsigned beyond = planes_outside(c.a) & planes_outside(c.b) & planes_outside(c.c);
@@ -164,7 +164,7 @@ private:
         if (at_near_ == near_plane::clamps && (c.crossed & before)) part(near_side::before);
     }
 
-    /// @param for_each   (add), which calls add(a, b, c, unsigned triangle) for each that is drawn
+    /// @param for_each   (add), calls add(a, b, c, unsigned triangle) for each triangle that is drawn
     template <class Draw, class ForEach>
     void in_batches(const texel_bounds& bounds, const Draw& draw, const ForEach& for_each) const {
         triangles batch;
@@ -192,8 +192,8 @@ private:
         });
     }
 
-    /// By threads, each of which draws triangles that follow each other: they cover few rows, so that threads seldom
-    /// wait for each other.
+    /// Draws by threads under locks. Each thread draws triangles that follow each other. They cover few rows, so
+    /// threads seldom wait for each other.
     template <class ParallelFor, class Draw>
     void for_each_batch_under_locks(ParallelFor&& parallel, const Draw& draw) const {
         row_locks<> locks(size_.y);
@@ -206,14 +206,14 @@ private:
         });
     }
 
-    /// What may be seen in a band, of a piece.
+    /// Triangles of a piece that may be visible in a band.
     struct band_list {
         struct part {
             snapped_vertex a, b, c;
             unsigned triangle;
         };
         std::vector<unsigned> whole;  // triangles of the chunk
-        std::vector<part> parts;      // what is left of those that cross planes
+        std::vector<part> parts;      // parts of those that cross planes
     };
 
     template <class Add>
@@ -227,7 +227,7 @@ private:
         for (const auto& part : list.parts) add(part.a, part.b, part.c, part.triangle);
     }
 
-    /// Whether triangles that follow each other lie in few bands, by a look at some.
+    /// True when successive triangles are in few bands, judged by samples.
     [[nodiscard]] bool is_coherent(int rows_a_band) const {
         constexpr unsigned looks = 16, many = 64;
         const unsigned step = greater(chunk_.count() / looks, many);
@@ -251,7 +251,7 @@ private:
         return {greater(between.x, 0), lesser(between.y, size_.y)};
     }
 
-    /// Triangles into lists of the bands in which they may be seen.
+    /// Sorts triangles into lists of the bands in which they may be visible.
     template <class ParallelFor>
     void sort_into_bands(int rows_a_band, int bands, ParallelFor&& parallel) {
         const unsigned pieces = (chunk_.count() + piece - 1) / piece;
@@ -277,7 +277,7 @@ private:
         });
     }
 
-    /// Prefetches what comes after the k-th of a list, whose triangles lie anywhere. Inlined: see prefetch_line().
+    /// Prefetches the triangles after the k-th of a list, which can be anywhere. Inlined: see prefetch_line().
     UMBRAGE_INLINE void expect(const std::vector<unsigned>& list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) prefetch_line(&mesh_.triangles[chunk_.place_of(list[k + later]).triangle]);
@@ -292,8 +292,8 @@ private:
     near_plane at_near_;
     std::vector<projection> instances_;
     snapped_chunk<OnUse> chunk_;
-    std::vector<index_range> indices_;  // of a piece
-    std::vector<band_list> lists_;      // of a piece, band by band
+    std::vector<index_range> indices_;  // per piece
+    std::vector<band_list> lists_;      // per piece, band by band
 };
 
 }  // namespace umbrage::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangles on the vertex grid, 64 at a time: which way round, edges and depth planes in loops that vectorise.
+// Batches of 64 triangles on the vertex grid: winding, edges and depth planes, in loops that vectorize.
 //
 //     triangles batch;
 //     batch.add(p, q, r, id);  // and more, until it is full()
@@ -8,9 +8,9 @@
 //     for (int i = 0; i < batch.count; ++i)
 //         batch.for_each_row(i, [&](int y, int first, int last) { ... });
 //
-// A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0, or > 0 where the
-// edge is neither a top nor a left one, which is E - 1 >= 0. From texel to texel E grows by multiples of 256, so that
-// the sign is that of floor(E / 256), or of floor((E - 1) / 256): 32 bits for triangles up to 2048 texels.
+// A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0. For an edge that
+// is neither a top nor a left one the condition is E > 0, which is E - 1 >= 0. From texel to texel E grows by multiples
+// of 256. So its sign is that of floor(E / 256), or of floor((E - 1) / 256): 32 bits for triangles up to 2048 texels.
 //
 #pragma once
 
@@ -29,7 +29,7 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
-/// Texels first <= t < last; y counts from the bottom.
+/// Texels first <= t < last. y counts from the bottom.
 struct texel_bounds {
     glm::ivec2 first, last;
 };
@@ -37,8 +37,8 @@ struct texel_bounds {
 /// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
 struct depth_plane {
     glm::ivec2 first;        ///< a texel within the triangle's bounds
-    double z, dx, dy;        ///< multiples of one power of two, so that no sum of theirs within the bounds is rounded
-    double lowest, highest;  ///< of the vertices; samples never leave it
+    double z, dx, dy;        ///< multiples of one power of two: no sum of them within the bounds is rounded
+    double lowest, highest;  ///< range of the vertices' depths; samples never leave it
 
     [[nodiscard]] UMBRAGE_INLINE double operator()(int x, int y) const {
         const double depth = z + dx * (x - first.x) + dy * (y - first.y);
@@ -46,17 +46,17 @@ struct depth_plane {
     }
 };
 
-/// Up to 64 triangles, each coordinate an array of its own.
+/// Up to 64 triangles, with one array per coordinate.
 class triangles {
 public:
     int count = 0;
     alignas(64) unsigned id[block];
     // After set_up():
     alignas(64) std::int32_t first_x[block], first_y[block], columns[block];  ///< texels that may be covered
-    alignas(64) std::int32_t rows[block];                                     ///< 0: none is
+    alignas(64) std::int32_t rows[block];                                     ///< 0: none is covered
     alignas(64) std::int32_t right[3][block], up[3][block];  ///< steps of edges / 256 from texel to texel
     alignas(64) std::int32_t edge[3][block];                 ///< edges / 256 at the first texel, if is_small
-    alignas(64) float per_row[3][block];                     ///< -1 / up, anything where that is 0
+    alignas(64) float per_row[3][block];                     ///< -1 / up; undefined where that is 0
 
     triangles() {  // every lane is set up, used or not
         for (int i = 0; i < block; ++i) {
@@ -65,15 +65,15 @@ public:
         }
     }
 
-    /// Rows first <= y < second whose centers are above the lowest corner, the highest included: a bottom edge and
-    /// a corner cover no center that they meet.
+    /// Rows first <= y < second whose centers are above the lowest corner, and not above the highest. A bottom
+    /// edge and a corner cover no center that they meet.
     [[nodiscard]] static UMBRAGE_INLINE glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) {
         return {(lowest + subtexels - center) >> 8, ((highest - center) >> 8) + 1};
     }
 
     [[nodiscard]] bool full() const { return count == block; }
 
-    /// There must be room.
+    /// Adds a triangle. There must be room.
     UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
                             unsigned triangle) {
         const snapped_vertex* const corners[] = {&a, &b, &c};
@@ -82,11 +82,11 @@ public:
         id[count++] = triangle;
     }
 
-    /// All triangles; those that face away, have no area or no texel within `bounds` get no rows.
+    /// Sets up all triangles. Those that face away, have no area or no texel within `bounds` get no rows.
     ///
-    /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. With n the bounds' larger side in
-    ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
-    ///             within 2^-48 n m of the plane through the snapped vertices
+    /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. A sample is within 2^-48 n m of the
+    ///             plane through the snapped vertices: n is the bounds' larger side in 1/256 texel, m the sum of the
+    ///             magnitudes of the depth and its two slopes over the bounds
     void set_up(const texel_bounds& bounds, cull_mode cull) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
             set_up_bounds(bounds);
@@ -96,7 +96,7 @@ public:
         });
     }
 
-    /// Rows first <= y < second that its triangles may cover; none: first >= second.
+    /// Rows first <= y < second that the triangles may cover. None: first >= second.
     [[nodiscard]] glm::ivec2 covered_rows() const {
         std::int32_t first = guard_band, last = 0;
         for (int i = 0; i < count; ++i)
@@ -110,19 +110,19 @@ public:
         return {{first_x[i], first_y[i]}, depth_[i], dx_[i], dy_[i], low < c ? low : c, high < c ? c : high};
     }
 
-    /// Depth of the plane so many texels from the first, not limited to that of the corners.
+    /// Depth of the plane at x, y texels from the first one, not limited to that of the corners.
     [[nodiscard]] UMBRAGE_INLINE double depth(int i, int x, int y) const { return depth_[i] + dx_[i] * x + dy_[i] * y; }
     [[nodiscard]] UMBRAGE_INLINE double corner_depth(int k, int i) const { return z_[k][i]; }
-    /// Of the plane there, which may differ by as much as its slopes were rounded.
+    /// Depth of the plane at a corner. It may differ from the corner's by the rounding of the slopes.
     [[nodiscard]] UMBRAGE_INLINE double depth_at_corner(int k, int i) const {
         return depth(i, 0, 0) + dx_[i] * 0x1p-8 * (x_[k][i] - first_x[i] * subtexels - center) +
                dy_[i] * 0x1p-8 * (y_[k][i] - first_y[i] * subtexels - center);
     }
 
-    /// Whether 32 bits hold the edges over the triangle's bounds, and some texels beyond.
+    /// True when 32 bits hold the edges over the triangle's bounds, and some texels beyond.
     [[nodiscard]] UMBRAGE_INLINE bool is_small(int i) const { return side_[i] < 2048 * subtexels; }
 
-    /// An edge / 256 at a texel; inside where that is not negative.
+    /// Edge / 256 at a texel: inside where it is not negative.
     [[nodiscard]] UMBRAGE_INLINE std::int64_t edge_at(int k, int i, int x, int y) const {
         const std::int64_t step_x = right[k][i], step_y = up[k][i];
         const std::int64_t e =
@@ -133,8 +133,8 @@ public:
     /// @param row   (int y, int first, int last): texels first <= x < last of row y are covered; there is at least one
     template <class Row>
     UMBRAGE_INLINE void for_each_row(int i, const Row& row) const {
-        // Of an edge's value its sign: from texel `at` on, the first of the row where it is not negative, the
-        // triangle begins or has ended. From row to row it moves as far as the edge does, so that no row is searched.
+        // Sign of an edge's value: at texel `at`, the first of the row where it is not negative, the triangle begins or
+        // has ended. From row to row it moves as far as the edge does, so no row is searched.
         struct side {
             bool begins;
             std::int64_t value, step, step_up;
@@ -163,13 +163,14 @@ private:
     using bits = std::int64_t;
     static constexpr int center = subtexels / 2;
 
-    /// Right edges, and bottom ones.
+    /// True for right edges, and for bottom ones.
     template <class Int>
     [[nodiscard]] static UMBRAGE_INLINE Int is_open(Int right_step, Int up_step) {
         return Int(right_step < 0) | (Int(right_step == 0) & Int(up_step > 0));
     }
 
-    /// The smallest vertex first, so that results do not depend on the order in the mesh; texels within the bounds.
+    /// Puts the smallest vertex first, so results do not depend on the order in the mesh. Finds texels within the
+    /// bounds.
     UMBRAGE_INLINE void set_up_bounds(const texel_bounds& bounds) {
         const int min_x = bounds.first.x, min_y = bounds.first.y, max_x = bounds.last.x - 1, max_y = bounds.last.y - 1;
         for (int i = 0; i < block; ++i) {
@@ -225,13 +226,13 @@ private:
     UMBRAGE_INLINE void set_up_edge(int k) {
         const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
         for (int i = 0; i < block; ++i) {
-            const std::int32_t turn = clockwise_[i];  // the other way round all signs change
+            const std::int32_t turn = clockwise_[i];  // for the other winding all signs change
             const std::int32_t step_x = ((ay[i] - by[i]) ^ turn) - turn, step_y = ((bx[i] - ax[i]) ^ turn) - turn;
             right[k][i] = step_x, up[k][i] = step_y;
             per_row[k][i] = -1.0f / static_cast<float>(step_y | std::int32_t(step_y == 0));
             const double e = double(step_y) * (first_y[i] * subtexels + center - ay[i]) +
                              double(step_x) * (first_x[i] * subtexels + center - ax[i]) - is_open(step_x, step_y);
-            // As an integer, of which the lower 51 bits are kept, without its last 8.
+            // As an integer: the lower 51 bits of the double, without the last 8.
             edge[k][i] = static_cast<std::int32_t>(bit_cast<std::uint64_t>(e + 0x1.8p52) >> 8);
         }
     }
@@ -239,16 +240,17 @@ private:
     UMBRAGE_INLINE void set_up_planes() {
         constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
         constexpr bits tiny = bit_cast<bits>(0x1p-200);
-        const auto power_of_two = [](double a, double b, double c) UMBRAGE_INLINE {  // the largest's, rounded down
-            const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
-            const bits r = bit_cast<bits>(c) & exponent;
-            const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
-            return bit_cast<double>(largest < other ? other : largest);
-        };
+        const auto power_of_two = [](double a, double b, double c)
+                                      UMBRAGE_INLINE {  // the largest number's, rounded down
+                                          const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
+                                          const bits r = bit_cast<bits>(c) & exponent;
+                                          const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
+                                          return bit_cast<double>(largest < other ? other : largest);
+                                      };
         const auto one_over = [](double power) UMBRAGE_INLINE {
             return bit_cast<double>((bits(2046) << 52) - bit_cast<bits>(power));
         };
-        const auto truncate = [](double v) UMBRAGE_INLINE {  // |v| < 2^52; GCC has no vectors of trunc() for AVX2
+        const auto truncate = [](double v) UMBRAGE_INLINE {  // |v| < 2^52. GCC has no vectors of trunc() for AVX2
             const double size = masked(v, magnitude), rounded = (size + 0x1p52) - 0x1p52;
             const double whole = rounded - masked(1.0, -bits(rounded > size));
             return bit_cast<double>(bit_cast<bits>(whole) | (bit_cast<bits>(v) & ~magnitude));
@@ -267,7 +269,7 @@ private:
             const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
             const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
 
-            // Slopes with so few digits that the same holds for every sample; here for the products.
+            // Slopes with so few digits that every sample needs no rounding. Here for the products.
             const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * double(width_[i]) +
                                  masked(slope_y, magnitude & short_digits) * double(height_[i]);
             unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
@@ -285,7 +287,7 @@ private:
     alignas(64) std::int32_t x_[3][block], y_[3][block];
     alignas(64) double z_[3][block];
     alignas(64) std::int32_t second_is_first_[block], third_is_first_[block], clockwise_[block];  // masks
-    alignas(64) std::int32_t width_[block], height_[block], side_[block];  // in 1/256 texel; the larger of both
+    alignas(64) std::int32_t width_[block], height_[block], side_[block];  // in 1/256 texel; side_ is the larger one
     alignas(64) double area_[block], depth_[block], dx_[block], dy_[block];
 };
 
