@@ -90,7 +90,7 @@ void decode_rows(image_view<const typename Codec::texel> texels, image_view<floa
 }  // namespace detail
 
 /// Encodes an image of depths.
-/// @param depth      any values; the encoding clamps them
+/// @param depth      any values, converted as by the encoding's encode
 /// @param texels     receives the texels: same size, other memory
 /// @param encoding   one of this library (encodings.hpp), or any type with texel, encode, decode
 /// @param parallel   cuts the rows into pieces, see parallel.hpp

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Soft shadows with contact hardening from one pass over a disc: dual percentage-closer filtering (DPCF), as in
-// Filament.
+// Soft shadows with contact hardening from one pass over a disc (DPCF), as in Filament.
 //
 //     float visibility = umbrage::dpcf<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                          umbrage::disc_rotation(pixel));

@@ -8,7 +8,7 @@
 //     // in a shader umbrage_window_hardware5(map, size, coord, receiver, 1.0, 3.0, 4.0)
 //
 // Maps and samplers as for pcf_2x2_hardware.hpp.
-// Also called: Castano's PCF, bilinear-merged PCF, optimized PCF. See also: window.hpp, exact on every GPU.
+// Also called: Castano's PCF, PCF with merged bilinear taps. See also: window.hpp, exact on every GPU.
 //
 #pragma once
 

@@ -8,7 +8,7 @@
 //
 // The table holds optimized moments as integers of 16 bits, so their sums over a box are exact. Its left half stores
 // the sums modulo 2^16, its right half the sums divided by 2^16. One RGBA16UI texture holds both.
-// Also called: SAT, SATVSM with moments. See also: summed_variance.hpp, which needs less memory.
+// Also called: summed-area moment shadow maps. See also: summed_variance.hpp, which needs less memory.
 #pragma once
 
 #include <glm/common.hpp>
