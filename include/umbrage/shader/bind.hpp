@@ -4,8 +4,8 @@
 //
 //     using namespace umbrage::glsl;
 //     std::string shader = source(version::v330, {bind(pcf_2x2, "sun", {.texture = texture::array}),
-//                                                 bind(box, "lamp", stored_as(umbrage::rg<11>{}))});
-//     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_lamp(sampler2D map, ...)
+//                                                 bind(box, "spot", stored_as(umbrage::rg<11>{}))});
+//     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_spot(sampler2D map, ...)
 //
 #pragma once
 

@@ -9,8 +9,8 @@
 // In a shader, bind it to an atlas without options, or to a cube texture:
 //
 //     glsl::source(glsl::version::v330, {glsl::cube_coordinate,
-//                                        bind(glsl::pcf_2x2_cube, "lamp", {.texture = texture::cube_faces})});
-//     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_lamp(lamp, atlas, at, depth)
+//                                        bind(glsl::pcf_2x2_cube, "point_light", {.texture = texture::cube_faces})});
+//     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_point_light(point_light, atlas, at, depth)
 //
 // Depths must not depend on the face: store distances from the light, as distance_depth computes them.
 // Also called: seamless point light shadows, omnidirectional shadow map, TextureCube SampleCmp.

@@ -154,7 +154,7 @@ inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>
 }  // namespace detail
 
 [[nodiscard]] inline std::string tent_text(int size) {
-    if (size == 2) return detail::text_3x3("tent2", "the window 1 1", "r * 8.0", "s * 8.0");
+    if (size == 2) return detail::text_3x3("tent2", "weights 1 1", "r * 8.0", "s * 8.0");
     if (size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
     return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
 }
@@ -203,7 +203,7 @@ inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
                                         .source = castano_dyadic_text<Size>};
 
 [[nodiscard]] inline std::string quadratic_b_spline_text() {
-    return detail::text_3x3("quadratic_b_spline", "weighed by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
+    return detail::text_3x3("quadratic_b_spline", "weighted by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
                             "floor(s * s * (1.0 / 32.0))");
 }
 inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
