@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Minimum and maximum depth of every square of 2 x 2, 4 x 4, ... texels of a map: a min-max pyramid (Hi-Z).
+// Min-max pyramid (Hi-Z) of a map: minimum and maximum depth of every square of 2 x 2, 4 x 4, ... texels.
 //
 //     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
 // minimum of the 4 x 4 texels around `texel`

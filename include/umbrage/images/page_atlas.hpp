@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Virtual shadow map pages (adaptive shadow map) over images: the depth pass of pages into an atlas, the page table,
-// and the visibility of whole images of receivers.
+// Virtual shadow map pages (adaptive shadow map) over images: depth pass into an atlas, page table, and visibility of
+// receivers.
 //
 //     umbrage::image<float> atlas(umbrage::page_atlas_size(cache, size), umbrage::cleared_depth(clip));
 //     umbrage::draw_pages(atlas, size, root, cache.update(receivers).drawn, [&](auto map, const glm::mat4& to_clip) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Tessellation of a mesh for maps in which straight edges are curves (dual paraboloid). Edges are cut until positions
-// and distances from the light between vertices are close enough to straight lines.
+// Tessellation of a mesh for maps in which straight edges are curves, as in dual paraboloid maps. Edges are cut until
+// positions and distances from the light between vertices are close enough to straight lines.
 //
 //     auto cut = umbrage::tessellate(mesh, {light, umbrage::paraboloid_edge_angle(map_size, border), range});
 //     umbrage::rasterize_dual_paraboloid(map.view(), cut.view(), space, 0);

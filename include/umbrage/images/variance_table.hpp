@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Summed-area table (SAT) of a shadow map's depths and their squares, and visibility of whole images from it (SAVSM).
+// Summed-area table (SAT, SAVSM) of a shadow map's depths and their squares, and visibility of whole images from it.
 //
 //     umbrage::variance_table of{.bits = 11, .radius = 16};
 //     umbrage::image<glm::u16vec4> table = umbrage::make_variance_table(map, of);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Protection from -ffast-math for code with guaranteed bits:
-//
+// Protection from -ffast-math for code with guaranteed bits.
 //     UMBRAGE_STRICT_MATH
 //     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
 //     UMBRAGE_END_STRICT_MATH

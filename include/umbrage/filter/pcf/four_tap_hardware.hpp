@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Four-tap percentage-closer filtering (PCF) by the sampler: it takes the coordinates that four texture matrices give,
-// and reads the nearest texel of each, as on the Radeon 8500.
+// Four-tap percentage-closer filtering (PCF) by the sampler, as on the Radeon 8500. Its coordinates come from four
+// texture matrices, and it reads the nearest texel of each.
 //
 //     float visibility = umbrage::four_tap_hardware(umbrage::bordered(map), size, a, b, c, d, depth - bias);
 //

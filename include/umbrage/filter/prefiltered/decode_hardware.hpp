@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Variance and exponential variance shadow maps (VSM, EVSM) at the lowest GPU cost: sampler filtering, the GPU's own
-// exp2 and division, fused sums, and a reduction of light bleeding. Results are within a bound, not bit-exact.
+// Decoding of variance and exponential variance shadow maps (VSM, EVSM) at the lowest GPU cost. It uses filtering by
+// the sampler, the GPU's own exp2 and division, fused sums, and a reduction of light bleeding. Results are within a
+// bound, not bit-exact.
 //
 //     float lit = umbrage::decode_vsm_hardware(held, receiver, 1e-6f, 0.2f);  // held: from encode_deviation
 //     lit = umbrage::decode_evsm2_hardware(moments, receiver, exponent, deviation, 0.2f);
