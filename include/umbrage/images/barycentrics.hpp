@@ -46,6 +46,7 @@ public:
         if (!finite) vertices_ = {};
     }
 
+    /// Weights at the center of a texel.
     /// @return      weights that are not negative and sum to 1
     /// @edge        texel that snapping moved out of the triangle: the weights of the nearest edge. Triangle seen
     ///              edge-on or not finite: (1, 0, 0)

@@ -40,6 +40,7 @@ struct box_rows {
         for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
     }
 
+    /// Number of lit texels in one box.
     /// @param row     first texel of the box
     /// @param moved   texels by which the last register of a row is moved back, so that it ends inside the map
     [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {

@@ -113,6 +113,7 @@ private:
         alignas(64) std::uint32_t upper[block], lower[block], lit[block];  ///< bits of four rows each
     };
 
+    /// Finds the texels near each receiver that may be compared at once.
     /// @return   true when all points fall on these texels, and all of the texels are in the map
     UMBRAGE_INLINE bool find_near(const placed& at, near_texels& texels) const {
         const texel_bytes memory(map);

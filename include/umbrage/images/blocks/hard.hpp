@@ -17,6 +17,7 @@ namespace umbrage::detail {
 struct placed_tap {
     alignas(64) std::int32_t offsets[block];
 
+    /// Finds each receiver's texel, and prefetches it.
     /// @param space   texels that a receiver can read, in each direction
     template <class T>
     UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset, int space) {

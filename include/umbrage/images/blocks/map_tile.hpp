@@ -28,6 +28,7 @@ struct map_tile {
         return last.x - first.x < columns && last.y - first.y < rows;
     }
 
+    /// Copies texels of the map.
     /// @param first, last   texels of the map that the tile must hold; at least eight columns
     UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
         const int count = last.x - first.x + 1;

@@ -87,6 +87,7 @@ struct plane_box_blocks {
     }
 
 private:
+    /// Number of lit texels in the box of receiver i.
     /// @param window   all bits in the lanes of a row that belong to the box
     template <class Placed>
     [[nodiscard]] UMBRAGE_INLINE std::int32_t count_box(const Placed& at, int i, const std::int32_t* window) const {

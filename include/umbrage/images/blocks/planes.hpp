@@ -54,6 +54,7 @@ struct plane_rows {
         for (int j = 0; j < rows; j += chunk)
             for (int k = 0; k < chunk; ++k) beside[j + k] = slope_y * (static_cast<float>(row + j + k) + 0.5f - y);
     }
+    /// Moves a register of texels along the plane.
     /// @param moved   columns from the first one
     /// @param row     row from the first one
     UMBRAGE_INLINE void move(int moved, int row, lanes_of<float, Lanes>& texels) const {

@@ -26,6 +26,7 @@ public:
 
     void operator()(const triangles& batch) const { draw<Forward>(image_, 0, batch); }
 
+    /// Draws batches into a band of rows.
     /// @param rows   first <= y < second, at least one row, to which nobody else draws meanwhile
     /// @param use    (draw), which calls draw(const triangles&) for batches within these rows
     template <class Use>

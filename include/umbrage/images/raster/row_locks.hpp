@@ -22,6 +22,7 @@ class row_locks {
 public:
     explicit row_locks(int height) : locks_(std::size_t(height / rows_a_lock + 1)) {}
 
+    /// Runs `use` while no other thread draws to the rows.
     /// @param rows   first <= y < second, at least one row
     /// @param use    (); must not throw
     template <class Use>

@@ -63,6 +63,7 @@ public:
     [[nodiscard]] UMBRAGE_INLINE bool has_all() const { return has_all_; }
     [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return columns_ > 0 && last_x_[i] >= 0; }
 
+    /// Calls sample() for each texel that a small triangle covers.
     /// @param sample   (int x, int y, float depth): a covered texel, in any order
     template <class Sample>
     UMBRAGE_INLINE void for_each_sample(const Sample& sample) const {

@@ -125,6 +125,7 @@ public:
         });
     }
 
+    /// Instance and triangle of the chunk's i-th triangle.
     /// @param i   below count()
     [[nodiscard]] UMBRAGE_INLINE drawn_triangle place_of(unsigned i) const {
         if (instances_.size() == 1) return {0, first_ + i};

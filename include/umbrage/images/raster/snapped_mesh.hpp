@@ -65,7 +65,7 @@ public:
     snapped_mesh(const snapped_mesh&) = delete;
     snapped_mesh& operator=(const snapped_mesh&) = delete;
 
-    /// @param use   (), draws the chunk
+    /// Calls use() for each chunk; it draws the chunk.
     template <class ParallelFor, class Use>
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
         // As many vertices as a cache holds. More with threads, which are then started less often, and where pieces
@@ -164,7 +164,7 @@ private:
         if (at_near_ == near_plane::clamps && (c.crossed & before)) part(near_side::before);
     }
 
-    /// @param for_each   (add), calls add(a, b, c, unsigned triangle) for each triangle that is drawn
+    /// Draws in batches what for_each(add) adds by add(a, b, c, unsigned triangle).
     template <class Draw, class ForEach>
     void in_batches(const texel_bounds& bounds, const Draw& draw, const ForEach& for_each) const {
         triangles batch;

@@ -130,6 +130,7 @@ public:
         return (e - is_open(step_x, step_y)) >> 8;
     }
 
+    /// Calls row() for each row that triangle i covers.
     /// @param row   (int y, int first, int last): texels first <= x < last of row y are covered; there is at least one
     template <class Row>
     UMBRAGE_INLINE void for_each_row(int i, const Row& row) const {
