@@ -48,7 +48,7 @@ TEST_CASE("a map's functions carry its name and take what its texture is called 
           std::string::npos);
     CHECK(function(text, "umbrage_compare_sun").find("receiver >= stored") != std::string::npos);
     CHECK(text.find("#define UMBRAGE_HAS_HARD_SUN\n") != std::string::npos);
-    CHECK(text.find("map, size  shadow map and its size") != std::string::npos);  // comments keep their words
+    CHECK(text.find("map, size   shadow map and its size") != std::string::npos);  // comments keep their words
 }
 
 TEST_CASE("several maps in one text: each its own functions, what belongs to none once and first") {

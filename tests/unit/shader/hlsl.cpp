@@ -34,9 +34,10 @@ float umbrage_spot_cone(float3 direction, float3 to_point, float cos_outer) {
 
 TEST_CASE("hlsl: a filter's map is a texture, and one with a sampler where samplers compare") {
     CHECK(function_with_comment(hlsl::text({glsl::hard}), "umbrage_hard") ==
-          R"(// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+          R"(// umbrage_hard: shadow test without a filter. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 float umbrage_hard(Texture2D<float4> map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 texel = compared ? floor(coord) : float2(0.0, 0.0);  // no branch: fetches of several taps overlap

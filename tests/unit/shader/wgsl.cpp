@@ -15,8 +15,8 @@ using namespace umbrage;
 
 TEST_CASE("wgsl::text: a snippet reads as written in WGSL") {
     CHECK(wgsl::detail::translate(glsl::encode_rg<11>) == R"(
-// umbrage_encode_rg11: depth to the two channels of a 11-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg11: two channels of a 11-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 fn umbrage_encode_rg11(depth: f32) -> vec2f {
     let x: f32 = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
     let high: f32 = floor(x * (1.0 / 256.0));
@@ -24,7 +24,7 @@ fn umbrage_encode_rg11(depth: f32) -> vec2f {
 }
 )");
     CHECK(wgsl::detail::translate(glsl::encode_float_bits) == R"(
-// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, integers 0..255
 fn umbrage_encode_float_bits(v: f32) -> vec4f {
     let bits: u32 = bitcast<u32>(v);
     return vec4f(f32(bits & 255u), f32((bits >> 8) & 255u), f32((bits >> 16) & 255u), f32(bits >> 24));

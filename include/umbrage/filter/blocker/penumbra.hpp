@@ -149,7 +149,7 @@ UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet penumbra{
     .name = "penumbra",
-    .summary = "penumbra radius from the distance to the blocker",
+    .summary = "radius of a penumbra from the distance to the blocker",
     .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer

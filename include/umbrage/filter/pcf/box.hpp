@@ -109,7 +109,7 @@ inline constexpr snippet box_scale{
     .source = R"GLSL(
 // umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
 UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
-    UMBRAGE_HIGHP float scale = 0.00346020772;  // no literal is returned: it would have the host's precision
+    UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
     if (radius < 8) scale = 0.00444444455;
     if (radius < 7) scale = 0.00591715984;
     if (radius < 6) scale = 0.00826446246;
@@ -125,7 +125,7 @@ UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
 
 inline constexpr snippet box{
     .name = "box",
-    .summary = "box PCF: lit fraction of a box of radius 0..8",
+    .summary = "lit fraction of a box of radius 0..8 (box PCF)",
     .exactness = tier::b,
     .operations = 290,
     .needs = list<&box_count, &box_scale>,

@@ -35,7 +35,7 @@ namespace glsl {
 
 inline constexpr snippet hard{
     .name = "hard",
-    .summary = "hard shadow test: nearest texel, one comparison",
+    .summary = "unfiltered shadow test: nearest texel, one comparison",
     .exactness = tier::a,
     .needs = list<&in_filter_domain, &lit>,
     .source = R"GLSL(
