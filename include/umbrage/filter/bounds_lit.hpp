@@ -37,7 +37,7 @@ namespace glsl {
 
 inline constexpr snippet bounds_lit{
     .name = "bounds_lit",
-    .summary = "early exit: visibility from bounds of a filter's texels",
+    .summary = "visibility from depth bounds, an early exit of a filter",
     .exactness = tier::a,
     .needs = list<&in_filter_domain, &compare, &fetch_clamped>,
     .source = R"GLSL(

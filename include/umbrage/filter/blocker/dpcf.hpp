@@ -121,9 +121,9 @@ inline constexpr snippet hardened_kernel{
 template <int Points>
 inline constexpr snippet dpcf{
     .name = Points == 8 ? "dpcf8" : (Points == 16 ? "dpcf16" : "dpcf32"),
-    .summary = Points == 8    ? "DPCF: contact hardening from one pass, 8 points"
-               : Points == 16 ? "DPCF: contact hardening from one pass, 16 points"
-                              : "DPCF: contact hardening from one pass, 32 points",
+    .summary = Points == 8    ? "contact hardening from one pass (DPCF), 8 points"
+               : Points == 16 ? "contact hardening from one pass (DPCF), 16 points"
+                              : "contact hardening from one pass (DPCF), 32 points",
     .exactness = tier::a,
     .needs =
         list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened_kernel<Points>>,

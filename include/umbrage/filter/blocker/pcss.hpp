@@ -89,9 +89,9 @@ UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 template <int Points>
 inline constexpr snippet pcss{
     .name = Points == 8 ? "pcss8" : (Points == 16 ? "pcss16" : "pcss32"),
-    .summary = Points == 8    ? "PCSS: percentage-closer soft shadows, 8 points twice"
-               : Points == 16 ? "PCSS: percentage-closer soft shadows, 16 points twice"
-                              : "PCSS: percentage-closer soft shadows, 32 points twice",
+    .summary = Points == 8    ? "percentage-closer soft shadows (PCSS), 8 points twice"
+               : Points == 16 ? "percentage-closer soft shadows (PCSS), 16 points twice"
+                              : "percentage-closer soft shadows (PCSS), 32 points twice",
     .exactness = tier::a,
     .needs = list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
     .source = {detail::pcss_text, Points}};

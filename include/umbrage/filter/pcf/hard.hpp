@@ -35,7 +35,7 @@ namespace glsl {
 
 inline constexpr snippet hard{
     .name = "hard",
-    .summary = "unfiltered shadow test: nearest texel, one comparison",
+    .summary = "unfiltered shadow test of the nearest texel",
     .exactness = tier::a,
     .needs = list<&in_filter_domain, &lit>,
     .source = R"GLSL(

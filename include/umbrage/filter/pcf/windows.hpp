@@ -100,7 +100,8 @@ namespace detail {
                                              std::string_view numbers,
                                              std::string_view share = "clamp(n * (1.0 / 16777216.0), 0.0, 1.0)") {
     return filled(R"GLSL(
-// umbrage_$f$n: PCF under $n x $n weights, $w, that slide over the map. Returns visibility, 1.0 = lit
+// umbrage_$f$n: PCF under $n x $n weights, $w, that slide over the map
+// Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied

@@ -127,7 +127,7 @@ UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMB
 
 inline constexpr snippet decode_vsm_hardware{
     .name = "decode_vsm_hardware",
-    .summary = "VSM: mean and deviation to visibility, at the lowest cost",
+    .summary = "mean and deviation (VSM) to visibility, cheapest on GPUs",
     .exactness = tier::c,
     .within = 1.0f / 1024.0f,
     .needs = list<&chebyshev_hardware, &to_forward_depth>,
@@ -149,7 +149,7 @@ UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE
 
 inline constexpr snippet decode_evsm2_hardware{
     .name = "decode_evsm2_hardware",
-    .summary = "EVSM: two components to visibility, by the GPU's own exp2",
+    .summary = "EVSM of two components to visibility, by the GPU's exp2",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .needs = list<&chebyshev_hardware, &to_forward_depth>,
@@ -175,7 +175,7 @@ UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_
 
 inline constexpr snippet decode_evsm4_hardware{
     .name = "decode_evsm4_hardware",
-    .summary = "EVSM: four components to visibility, by the GPU's own exp2",
+    .summary = "EVSM of four components to visibility, by the GPU's exp2",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .needs = list<&chebyshev_hardware, &to_forward_depth>,

@@ -97,7 +97,7 @@ UMBRAGE_HIGHP float umbrage_exponential_warp(UMBRAGE_HIGHP float depth, UMBRAGE_
 
 inline constexpr snippet encode_esm{
     .name = "encode_esm",
-    .summary = "ESM: depth to a texel",
+    .summary = "depth to a texel of an exponential shadow map (ESM)",
     .exactness = tier::b,
     .operations = 36,
     .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
@@ -111,7 +111,7 @@ UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP 
 
 inline constexpr snippet decode_esm{
     .name = "decode_esm",
-    .summary = "ESM: mean of texels to visibility",
+    .summary = "mean of ESM texels to visibility",
     .exactness = tier::b,
     .operations = 37,
     .needs = list<&to_forward_depth, &exponential_warp>,

@@ -140,7 +140,7 @@ namespace glsl {
 
 inline constexpr snippet encode_evsm2{
     .name = "encode_evsm2",
-    .summary = "EVSM: depth to a texel of two components",
+    .summary = "depth to an EVSM texel of two components",
     .exactness = tier::b,
     .operations = 73,
     .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
@@ -155,7 +155,7 @@ UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP
 
 inline constexpr snippet encode_evsm4{
     .name = "encode_evsm4",
-    .summary = "EVSM: depth to a texel of four components",
+    .summary = "depth to an EVSM texel of four components",
     .exactness = tier::b,
     .operations = 73,
     .needs = list<&saturate, &to_forward_depth, &exponential_warp>,
@@ -173,7 +173,7 @@ UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP
 
 inline constexpr snippet decode_evsm2{
     .name = "decode_evsm2",
-    .summary = "EVSM: mean of texels of two components to visibility",
+    .summary = "mean of EVSM texels of two components to visibility",
     .exactness = tier::c,
     .operations = 229,
     .needs = list<&chebyshev, &to_forward_depth, &saturate, &exponential_warp>,
@@ -197,7 +197,7 @@ UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP flo
 
 inline constexpr snippet decode_evsm4{
     .name = "decode_evsm4",
-    .summary = "EVSM: mean of texels of four components to visibility",
+    .summary = "mean of EVSM texels of four components to visibility",
     .exactness = tier::c,
     .operations = 229,
     .needs = list<&chebyshev, &to_forward_depth, &saturate, &exponential_warp>,

@@ -117,7 +117,7 @@ UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP 
 
 inline constexpr snippet decode_msm_hausdorff{
     .name = "decode_msm_hausdorff",
-    .summary = "MSM: four moments to visibility, for depths on [-1, 1]",
+    .summary = "mean of MSM texels to visibility, for depths on [-1, 1]",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,

@@ -149,7 +149,7 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 
 inline constexpr snippet vsm{
     .name = "vsm",
-    .summary = "VSM: visibility from a prefiltered map",
+    .summary = "visibility from a blurred variance shadow map (VSM)",
     .exactness = tier::c,
     .operations = 165,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_vsm>,
@@ -169,7 +169,7 @@ UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet esm{
     .name = "esm",
-    .summary = "ESM: visibility from a prefiltered map",
+    .summary = "visibility from a blurred exponential shadow map (ESM)",
     .exactness = tier::b,
     .operations = 56,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_esm>,
@@ -189,7 +189,7 @@ UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet evsm2{
     .name = "evsm2",
-    .summary = "EVSM: visibility from a prefiltered map, two components",
+    .summary = "visibility from a blurred EVSM of two components",
     .exactness = tier::c,
     .operations = 267,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_evsm2>,
@@ -210,7 +210,7 @@ UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 
 inline constexpr snippet evsm4{
     .name = "evsm4",
-    .summary = "EVSM: visibility from a prefiltered map, four components",
+    .summary = "visibility from a blurred EVSM of four components",
     .exactness = tier::c,
     .operations = 267,
     .needs = list<&in_filter_domain, &map_covers, &fetch_bilinear, &decode_evsm4>,
@@ -231,7 +231,7 @@ UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 
 inline constexpr snippet msm{
     .name = "msm",
-    .summary = "MSM: visibility from a prefiltered map",
+    .summary = "visibility from a blurred moment shadow map (MSM)",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
@@ -252,7 +252,7 @@ UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet msm_unorm16{
     .name = "msm_unorm16",
-    .summary = "MSM: visibility from a prefiltered map, optimized moments",
+    .summary = "visibility from a blurred MSM of optimized moments",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
@@ -273,7 +273,7 @@ UMBRAGE_HIGHP float umbrage_msm_unorm16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 
 inline constexpr snippet msm_hausdorff{
     .name = "msm_hausdorff",
-    .summary = "MSM: visibility from a prefiltered map, depths on [-1, 1]",
+    .summary = "visibility from a blurred MSM, for depths on [-1, 1]",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,

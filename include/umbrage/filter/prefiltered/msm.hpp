@@ -165,7 +165,7 @@ namespace glsl {
 
 inline constexpr snippet encode_msm{
     .name = "encode_msm",
-    .summary = "MSM: depth to its first four powers on [-1, 1]",
+    .summary = "depth to a texel of a moment shadow map (MSM)",
     .exactness = tier::b,
     .operations = 15,
     .needs = list<&saturate, &to_forward_depth>,
@@ -181,7 +181,7 @@ UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet to_optimized_moments{
     .name = "to_optimized_moments",
-    .summary = "MSM: four moments to four 16-bit channels",
+    .summary = "four moments (MSM) to four 16-bit channels",
     .exactness = tier::b,
     .operations = 4,
     .source = R"GLSL(
@@ -198,7 +198,7 @@ UMBRAGE_HIGHP vec4 umbrage_to_optimized_moments(UMBRAGE_HIGHP vec4 b) {
 
 inline constexpr snippet from_optimized_moments{
     .name = "from_optimized_moments",
-    .summary = "MSM: four 16-bit channels to four moments",
+    .summary = "four 16-bit channels to four moments (MSM)",
     .exactness = tier::b,
     .operations = 5,
     .source = R"GLSL(
@@ -218,7 +218,7 @@ UMBRAGE_HIGHP vec4 umbrage_from_optimized_moments(UMBRAGE_HIGHP vec4 o) {
 
 inline constexpr snippet moment_atoms{
     .name = "moment_atoms",
-    .summary = "MSM: the two depths besides the receiver's",
+    .summary = "two depths that have the moments with the receiver's",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,
@@ -249,7 +249,7 @@ UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP floa
 
 inline constexpr snippet bias_moments{
     .name = "bias_moments",
-    .summary = "MSM: four moments with a bias against rounding",
+    .summary = "four moments (MSM) with a bias against rounding",
     .exactness = tier::b,
     .operations = 3,
     .source = R"GLSL(
@@ -266,7 +266,7 @@ UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2
 
 inline constexpr snippet decode_msm{
     .name = "decode_msm",
-    .summary = "MSM: mean of four moments to visibility",
+    .summary = "mean of MSM texels to visibility",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
     .as_written = true,

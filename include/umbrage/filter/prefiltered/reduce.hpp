@@ -86,7 +86,7 @@ UMBRAGE_HIGHP vec4 umbrage_blur_row$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 }
 template <int Taps>
 inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
-                                  .summary = "blur: binomial mean of texels in a row",
+                                  .summary = "binomial mean of texels in a row, for blurs",
                                   .exactness = tier::b,
                                   .operations = (5 * Taps - 1) / 2,
                                   .needs = list<&fetch_clamped>,
@@ -94,7 +94,7 @@ inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
 
 inline constexpr snippet halve_texels{
     .name = "halve_texels",
-    .summary = "mip chain: mean of 2x2 texels",
+    .summary = "mean of 2x2 texels, for mip chains",
     .exactness = tier::b,
     .operations = 8,
     .needs = list<&fetch_clamped>,

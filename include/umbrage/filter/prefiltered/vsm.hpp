@@ -90,7 +90,7 @@ namespace glsl {
 
 inline constexpr snippet encode_vsm{
     .name = "encode_vsm",
-    .summary = "VSM: depth to a texel",
+    .summary = "depth to a texel of a variance shadow map (VSM)",
     .exactness = tier::b,
     .operations = 3,
     .needs = list<&saturate, &to_forward_depth>,
@@ -105,7 +105,7 @@ UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet decode_vsm{
     .name = "decode_vsm",
-    .summary = "VSM: mean of texels to visibility",
+    .summary = "mean of VSM texels to visibility",
     .exactness = tier::c,
     .operations = 13,
     .needs = list<&chebyshev, &to_forward_depth>,
@@ -123,7 +123,7 @@ UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float
 
 inline constexpr snippet encode_deviation{
     .name = "encode_deviation",
-    .summary = "VSM: two moments of depth to mean and deviation",
+    .summary = "two moments of depth (VSM) to mean and deviation",
     .exactness = tier::c,
     .operations = 7,
     .source = R"GLSL(
@@ -137,7 +137,7 @@ UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
 
 inline constexpr snippet decode_deviation{
     .name = "decode_deviation",
-    .summary = "VSM: mean and deviation to two moments of depth",
+    .summary = "mean and deviation to two moments of depth (VSM)",
     .exactness = tier::b,
     .operations = 5,
     .source = R"GLSL(
@@ -152,7 +152,7 @@ UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
 
 inline constexpr snippet decode_deviation_rgba8{
     .name = "decode_deviation_rgba8",
-    .summary = "VSM: mean and deviation in RGBA8 to two moments of depth",
+    .summary = "mean and deviation in RGBA8 to two moments (VSM)",
     .exactness = tier::b,
     .operations = 21,
     .needs = list<&decode_deviation, &decode_rg<16>>,
