@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Shadows in shaders: a cascaded sun, a spot packed into bytes, one under a comparison sampler and a cube in one; soft
-// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third. OpenGL and C++
-// have to say the same of each receiver.
+// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third; warped cascades and
+// pages, in an atlas and in an array, in a fourth. OpenGL and C++ have to say the same of each receiver.
 //
 //     shadows_in_gl          prints how many receivers differ, in each dialect; 1 when some do
 //     shadows_in_gl --fault  one number of each block is wrong: all must differ
@@ -40,6 +40,18 @@ bool agree(version v, std::vector<tried> all, const receivers& of, bool fault) {
     return good;
 }
 
+/// The maps of an atlas one below the other, as an array's layers lie.
+template <class Shadow>
+image<float> layers_of(const Shadow& s, const image<float>& atlas) {
+    const map_grid grid = std::remove_cvref_t<decltype(s.set_up())>::grid;
+    const glm::ivec2 size = s.map_size();
+    image<float> layers({size.x, size.y * grid.columns * grid.rows});
+    for (glm::ivec2 p(0); p.y < layers.size().y; ++p.y)
+        for (p.x = 0; p.x < size.x; ++p.x)
+            layers[p] = atlas[detail::first_texel(p.y / size.y, grid, size) + glm::ivec2(p.x, p.y % size.y)];
+    return layers;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -52,11 +64,7 @@ int main(int argc, char** argv) try {
     const auto sun_map = shadow_scene::drawn(sun), sampled_map = shadow_scene::drawn(sampled),
                bulb_map = shadow_scene::drawn(bulb);
     const auto spot_map = shadow_scene::drawn(spot);
-    image<float> layers({256, 256 * 4});
-    for (int i = 0; i < 4; ++i)
-        for (int y = 0; y < 256; ++y)
-            for (int x = 0; x < 256; ++x)
-                layers[{x, y + 256 * i}] = sun_map[cascade_tile(i, glm::ivec2(256)) + glm::ivec2(x, y)];
+    const auto layers = layers_of(sun, sun_map);
 
     const filters::pcss contact{.softness = {0.05f, 0.5f, 8.0f}};
     const shadow soft(shadow_scene::fitted(clip), {200, 300}, contact);
@@ -72,6 +80,11 @@ int main(int argc, char** argv) try {
     const shadow halves(shadow_scene::paraboloids(clip), {512, 512}, filters::pcf_2x2{});
     const auto seven_map = shadow_scene::drawn(seven), sides_map = shadow_scene::drawn(sides),
                halves_map = shadow_scene::drawn(halves);
+
+    const shadow bent(shadow_scene::warped<4>(clip), {256, 256}, filters::tent<3>);
+    const shadow paged(shadow_scene::pages(clip), {80, 80}, filters::disc{});
+    const auto bent_map = shadow_scene::drawn(bent), paged_map = shadow_scene::drawn(paged);
+    const auto pages = layers_of(paged, paged_map);
 
     const receivers of;
     bool good = true;
@@ -110,6 +123,25 @@ int main(int argc, char** argv) try {
         all.push_back(make("bulb", bulb, bind(bulb, "bulb", {.block = 3, .texture = 4}), faces, bulb_map));
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         good = agree(v, std::move(all), of, fault) && good;
+
+        const auto one_channel = [&](const auto& map) {
+            return texture_data{
+                .internal = red, .format = format, .size = {map.size(), 1}, .texels = map.texels().data()};
+        };
+        std::vector<tried> chosen;
+        chosen.push_back(make("bent", bent, bind(bent, "bent"), one_channel(bent_map), bent_map));
+        chosen.push_back(
+            make("paged", paged, bind(paged, "paged", {.block = 1, .texture = 2}), one_channel(paged_map), paged_map));
+        chosen[1].takes_pixel = true;
+        if (!old) {
+            const texture_data array_of_pages{
+                .kind = GL_TEXTURE_2D_ARRAY, .size = {80, 80, 64}, .texels = pages.texels().data()};
+            chosen.push_back(make("layers", paged,
+                                  bind(paged, "layers", {.block = 2, .texture = 3, .map = glsl::texture::array}),
+                                  array_of_pages, paged_map));
+            chosen[2].takes_pixel = true;
+        }
+        good = agree(v, std::move(chosen), of, fault) && good;
         if (old) continue;  // which has no textures of two or four floats
 
         const auto floats = [](const auto& map, GLint stored, GLenum channels) {

@@ -11,11 +11,14 @@
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/point/point_light.hpp>
 #include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/shadow/adaptive_maps.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
 #include <umbrage/shadow/shadow.hpp>
 #include <umbrage/shadow/tetrahedron_map.hpp>
+#include <umbrage/shadow/warped_maps.hpp>
 
 namespace shadow_scene {
 
@@ -47,18 +50,44 @@ inline constexpr glm::vec3 up(0, 1, 0);
 [[nodiscard]] inline dual_paraboloid_light<float> paraboloids(clip_space clip) {
     return {.position = {0.5f, 8, 0.25f}, .range = 60, .map_size = 512, .border = 8, .clip = clip};
 }
+[[nodiscard]] inline cascade_fit<float> range(clip_space clip) {
+    return {.camera = {.position = {0, 3, 15}, .direction = {0, 0, -1}, .up = up, .tan_half_x = 1, .tan_half_y = 1},
+            .direction = {0.1f, -1, 0.1f},
+            .up = {0, 0, 1},
+            .scene = bounds,
+            .map_size = glm::ivec2(256),
+            .margin = 4,
+            .overlap = 0.1f,
+            .clip = clip};
+}
 template <std::size_t Count = 3>
 [[nodiscard]] std::array<cascade<float>, Count> cascades(clip_space clip) {
-    const cascade_fit<float> fit{
-        .camera = {.position = {0, 3, 15}, .direction = {0, 0, -1}, .up = up, .tan_half_x = 1, .tan_half_y = 1},
-        .direction = {0.1f, -1, 0.1f},
-        .up = {0, 0, 1},
-        .scene = bounds,
-        .map_size = glm::ivec2(256),
-        .margin = 4,
-        .overlap = 0.1f,
-        .clip = clip};
-    return make_stable_cascades<Count>(fit, practical_splits<Count>(0.5f, 60.0f, 0.9f));
+    return make_stable_cascades<Count>(range(clip), practical_splits<Count>(0.5f, 60.0f, 0.9f));
+}
+template <std::size_t Count = 3>
+[[nodiscard]] warped_maps warped(clip_space clip) {
+    const cascade_fit<float> fit = range(clip);
+    const auto parts = make_warped_cascades<Count>(fit, practical_splits<Count>(0.5f, 60.0f, 0.9f),
+                                                   [](const auto& part) { return fit_light_space_perspective(part); });
+    return warped_maps(parts, fit.camera, fit.overlap);
+}
+/// Pages of every level, the finer the nearer to the table.
+[[nodiscard]] inline adaptive_maps pages(clip_space clip) {
+    const auto root = make_page_root<double>({.direction = {0.1, -1, 0.1},
+                                              .up = {0, 0, 1},
+                                              .side = 20,
+                                              .scene = {glm::dvec3(bounds.low), glm::dvec3(bounds.high)},
+                                              .clip = clip});
+    const glm::mat4 to_root(page_matrix(root));
+    std::vector<page_receiver> seen;
+    for (float x = -10; x < 11; ++x)
+        for (float z = -10; z < 11; ++z) {
+            const glm::vec3 p(x, 0, z);
+            seen.push_back({glm::vec2(shadow_coordinate(to_root, p)), 40 / (1 + glm::length(p))});
+        }
+    page_cache cache({.slots = {8, 8}, .deepest_level = 4});
+    static_cast<void>(cache.update(seen));
+    return {root, cache, {.texels = 64, .gutter = 8}};
 }
 
 /// Calls use(shadow) for each set-up under a filter and an encoding.
@@ -68,6 +97,8 @@ void for_each_shadow(clip_space clip, const Filter& filter, const Encoding& enco
     use(shadow(fitted(clip), {200, 300}, filter, encoding));
     use(shadow(cascades(clip), {256, 256}, filter, encoding));
     use(shadow(cascades<6>(clip), {256, 256}, filter, encoding));
+    use(shadow(warped(clip), {256, 256}, filter, encoding));
+    use(shadow(pages(clip), {80, 80}, filter, encoding));
     use(shadow(bulb(clip), {256, 256}, filter, encoding));
     use(shadow(tetrahedron(clip), {512, 512}, filter, encoding));
     if constexpr (!detail::contact_hardening<Filter>) use(shadow(paraboloids(clip), {512, 512}, filter, encoding));

@@ -75,6 +75,16 @@ template <real T, class Table>
     return {at.x, at.y, T(entry.x) * (page + gutter * T(2)), T(entry.y) * (page + gutter * T(2))};
 }
 
+/// Pages a row of page_tile's atlas.
+inline constexpr int page_tile_columns = 8;
+
+/// First texel of a page in an atlas of eight a row, without a table of texels: see shadow/adaptive_maps.hpp.
+/// @param number   0 or above, whole;   size  of a page with its gutter, texels
+/// @exactness      A
+[[nodiscard]] inline glm::ivec2 page_tile(int number, int size) {
+    return glm::ivec2(number % page_tile_columns, number / page_tile_columns) * size;
+}
+
 namespace glsl {
 
 inline constexpr snippet page_coordinate{
@@ -106,7 +116,20 @@ UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2
 )GLSL",
 };
 
-inline constexpr const snippet* page_table_snippets[]{&page_coordinate};
+inline constexpr snippet page_tile{
+    .name = "page_tile",
+    .summary = "first texel of a page in an atlas of eight a row",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_page_tile: first texel of a page, a whole number, in an atlas of pages of size texels, eight a row
+UMBRAGE_HIGHP vec2 umbrage_page_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = floor(number * 0.125);
+    return vec2(number - row * 8.0, row) * size;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* page_table_snippets[]{&page_coordinate, &page_tile};
 
 }  // namespace glsl
 }  // namespace umbrage
