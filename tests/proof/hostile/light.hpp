@@ -105,6 +105,13 @@ void each_of_light(const Run& run, const Fetch& fetch) {
             };
             return page_coordinate(table, 66.0f, in[0], in[2].y, 4.0f);
         });
+    run(
+        "page_tile", 1,
+        [](source& s) {
+            const int number = static_cast<int>(s.below(64));
+            return glm::ivec2(number, s.below(2048));
+        },
+        [](glm::ivec2 v) { return glm::vec2(page_tile(v.x, v.y)); });
 }
 
 }  // namespace hostile

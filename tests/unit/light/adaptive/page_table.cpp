@@ -68,3 +68,10 @@ TEST_CASE_TEMPLATE("page_coordinate: beside the root there is no page, nor of Na
     CHECK(find(T(1.5), nan).z == 0);
     CHECK(hard([](glm::ivec2) { return T(0); }, glm::vec<2, T>(no_page), T(0.5)) == 1);
 }
+
+TEST_CASE("page_tile: eight pages a row") {
+    CHECK(page_tile(0, 136) == glm::ivec2(0));
+    CHECK(page_tile(7, 136) == glm::ivec2(952, 0));
+    CHECK(page_tile(8, 136) == glm::ivec2(0, 136));
+    CHECK(page_tile(63, 1) == glm::ivec2(7));
+}

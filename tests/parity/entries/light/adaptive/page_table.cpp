@@ -49,6 +49,12 @@ void add_light_adaptive_page_table(std::vector<entry>& all) {
                        },
                    .call = "umbrage_page_coordinate(table, vec2(34.0, 34.0), vec2(x0.x, x0.y), 128.0, 4.0)",
                    .table = entries_of_pages()});
+    all.push_back(
+        {.primitive = &umbrage::glsl::page_tile,
+         .classes = {{"numbers", [](std::uint64_t, random& r,
+                                    sample& s) { s.x[0] = vec4(static_cast<float>(r.below(64)), 0.0f, 0.0f, 0.0f); }}},
+         .twin = [](const sample& s) { return vec4(vec2(page_tile(static_cast<int>(s.x[0].x), 136)), 0.0f, 1.0f); },
+         .call = "vec4(umbrage_page_tile(x0.x, 136.0), 0.0, 1.0)"});
 }
 
 }  // namespace parity
