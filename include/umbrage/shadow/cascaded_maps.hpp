@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Cascades of a directional light, up to eight: a map each, the first that holds a receiver and its filter, and near
-// its border a blend with the next.
+// its border a blend with the next where that holds them too. Shadows of the last one fade to light at its border.
 //
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
 //     umbrage::shadow sun(cascades, {1024, 1024}, umbrage::filters::tent<3>);
@@ -13,6 +13,7 @@
 
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/core/check.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
@@ -125,11 +126,14 @@ struct cascaded_maps {
                                  ? cascade_border_fade(glm::vec2(found), terms.map_size, terms.reach, u.blending.x)
                                  : 0.0f;
         if (!(weight > 0.0f)) return nearer;
-        const float next = number + 1.0f < last ? number + 1.0f : last;
+        if (!(number < last)) return blend_cascades(nearer, 1.0f, weight);
+        const float next = number + 1.0f;
         const glm::vec4 next_scale = u.scale(next);
         const glm::vec3 at = cascade_coordinate(light, next_scale, u.offset(next));
-        const float farther = number < last ? look(map_place{int(next), at, cascade_slope(across, next_scale)}) : 1.0f;
-        return blend_cascades(nearer, farther, weight);
+        if (!inside_cascade(at, terms.map_size, terms.reach)) return nearer;
+        const float held = 1.0f - cascade_border_fade(glm::vec2(at), terms.map_size, terms.reach, u.blending.x);
+        const float farther = look(map_place{int(next), at, cascade_slope(across, next_scale)});
+        return blend_cascades(nearer, farther, detail::lesser(weight, held));
     }
     [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
         const auto column = [](std::string_view all, std::string_view number) {
@@ -151,13 +155,18 @@ struct cascaded_maps {
     UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope);
     UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
     UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    bool last = number >= blending.y;
     UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
     UMBRAGE_HIGHP vec4 next_scale = )GLSL" +
                column(uniforms::all_scales, "next") + R"GLSL(;
     UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, )GLSL" +
                column(uniforms::all_offsets, "next") + ");\n" + choice.again("next") +
-               R"GLSL(    UMBRAGE_HIGHP float farther = 1.0;
-    if (weight > 0.0 && number < blending.y) {
+               R"GLSL(
+    UMBRAGE_HIGHP float fade = umbrage_cascade_border_fade(vec2(at.x, at.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
+    weight = last ? weight : min(weight, held);
+    UMBRAGE_HIGHP float farther = 1.0;
+    if (weight > 0.0 && !last) {
         farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale));
     }
     return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
@@ -165,7 +174,8 @@ struct cascaded_maps {
     }
     static constexpr const auto& needs =
         glsl::list<&glsl::shadow_coordinate, &uniforms::finder, &uniforms::picker, &glsl::cascade_slope,
-                   &glsl::cascade_coordinate, &glsl::cascade_border_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
+                   &glsl::cascade_coordinate, &glsl::inside_cascade, &glsl::cascade_border_fade, &glsl::blend_cascades,
+                   &glsl::cascade_tile>;
 };
 
 template <real T, std::size_t Count>

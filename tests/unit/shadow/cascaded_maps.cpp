@@ -55,3 +55,24 @@ TEST_CASE("cascaded_maps: without blending one look-up, also where no cascade ho
     }
     CHECK_THROWS_AS(cascaded_maps(shadow_scene::cascades(cpu_clip_space), -1.0f), std::invalid_argument);
 }
+
+TEST_CASE(
+    "cascaded_maps: a next cascade that does not hold a point and its filter has no say, and fades in from there") {
+    const cascade_fit<float> fit = shadow_scene::range(cpu_clip_space);
+    const auto splits = practical_splits<3>(0.5f, 60.0f, 0.9f);
+    const shadow_terms terms{.map_size = glm::vec2(256), .reach = 2.0f};
+    for (const auto& all : {make_tight_cascades<3>(fit, splits), make_stable_cascades<3>(fit, splits)}) {
+        const auto u = cascaded_maps(all, 16.0f).make_uniforms({256, 256}, glm::dvec3(0));
+        int both = 0, beside = 0;
+        for (float x = -8; x < 8; x += 0.03f)
+            for (float z = -5; z < 15; z += 0.03f) {
+                int looks = 0;
+                static_cast<void>(cascaded_maps<>::visibility(u, terms, {x, 0, z}, {0, 1, 0}, [&](const map_place& p) {
+                    if (++looks == 2) ++both, beside += !inside_cascade(p.at, terms.map_size, terms.reach);
+                    return 1.0f;
+                }));
+            }
+        CHECK(both > 100);
+        CHECK(beside == 0);
+    }
+}
