@@ -28,6 +28,22 @@
 
 namespace proof {
 
+/// The least angle between a direction and an edge of a triangle, as the world's middle sees them.
+[[nodiscard]] inline double angle_to_edge(glm::dvec3 direction, const std::array<glm::dvec3, 3>& corner) {
+    const auto angle = [](glm::dvec3 a, glm::dvec3 b) {
+        return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+    };
+    double least = 4;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 a = corner[i], b = corner[(i + 1) % 3], across = glm::normalize(glm::cross(a, b));
+        const glm::dvec3 nearest = direction - across * glm::dot(across, direction);
+        const bool within =
+            glm::dot(glm::cross(a, nearest), across) > 0 && glm::dot(glm::cross(nearest, b), across) > 0;
+        least = std::min({least, within ? angle(direction, nearest) : 4.0, angle(direction, a), angle(direction, b)});
+    }
+    return least;
+}
+
 /// Triangles around a light in the world's middle.
 struct surroundings {
     std::vector<glm::vec3> positions;
@@ -75,21 +91,9 @@ struct surroundings {
     }
     /// The least angle between a direction and an edge of any triangle, as the light sees them.
     [[nodiscard]] double to_edge(glm::dvec3 direction) const {
-        const auto angle = [](glm::dvec3 a, glm::dvec3 b) {
-            return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-        };
         double least = 4;
-        for (std::size_t k = 0; k < triangles.size(); ++k) {
-            const auto corner = corners(k);
-            for (std::size_t i = 0; i < 3; ++i) {
-                const glm::dvec3 a = corner[i], b = corner[(i + 1) % 3], across = glm::normalize(glm::cross(a, b));
-                const glm::dvec3 nearest = direction - across * glm::dot(across, direction);
-                const bool within =
-                    glm::dot(glm::cross(a, nearest), across) > 0 && glm::dot(glm::cross(nearest, b), across) > 0;
-                least = std::min(
-                    {least, within ? angle(direction, nearest) : 4.0, angle(direction, a), angle(direction, b)});
-            }
-        }
+        for (std::size_t k = 0; k < triangles.size(); ++k)
+            least = std::min(least, angle_to_edge(direction, corners(k)));
         return least;
     }
 };

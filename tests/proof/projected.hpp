@@ -4,8 +4,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -32,6 +34,20 @@ namespace proof {
     const glm::dvec2 first = glm::dvec2(a) / a.w, way = glm::dvec2(b) / b.w - first, to = at - first;
     const double share = std::clamp(glm::dot(to, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
     return glm::length(to - share * way);
+}
+
+/// Whether a map sees within some texels an edge of a triangle, or the one along which the near plane cuts it.
+[[nodiscard]] inline bool sees_edge(const glm::dmat4& to_texels, bool reversed, const std::array<glm::dvec3, 3>& corner,
+                                    glm::dvec2 at, double texels) {
+    const auto beyond_near = [&](const glm::dvec4& h) { return reversed ? h.w - h.z : h.z; };
+    std::vector<glm::dvec4> cut;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec4 a = to_texels * glm::dvec4(corner[i], 1), b = to_texels * glm::dvec4(corner[(i + 1) % 3], 1);
+        if (distance_to_edge(at, a, b) < texels) return true;
+        const double from = beyond_near(a), to = beyond_near(b);
+        if ((from < 0) != (to < 0)) cut.push_back(a + (b - a) * (from / (from - to)));
+    }
+    return cut.size() == 2 && distance_to_edge(at, cut[0], cut[1]) < texels;
 }
 
 }  // namespace proof

@@ -259,24 +259,9 @@ protected:
 
     /// Whether the map sees within some texels an edge of a triangle, or one along which the near plane cuts it.
     [[nodiscard]] bool is_near_edge(glm::vec3 at, float texels) const {
-        const auto is_near = [&](const glm::dvec4& a, const glm::dvec4& b) {
-            return distance_to_edge(glm::dvec2(at), a, b) < 1.5 * double(texels);
-        };
-        const auto beyond_near = [&](const glm::dvec4& h) {
-            return clip_.direction == umbrage::depth_direction::forward ? h.z : h.w - h.z;
-        };
-        for (std::size_t k = 0; k < triangles_.size(); ++k) {
-            const auto corner = corners(k);
-            std::vector<glm::dvec4> cut;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const glm::dvec4 a = glm::dmat4(matrix_) * glm::dvec4(corner[i], 1);
-                const glm::dvec4 b = glm::dmat4(matrix_) * glm::dvec4(corner[(i + 1) % 3], 1);
-                if (is_near(a, b)) return true;
-                const double from = beyond_near(a), to = beyond_near(b);
-                if ((from < 0) != (to < 0)) cut.push_back(a + (b - a) * (from / (from - to)));
-            }
-            if (cut.size() == 2 && is_near(cut[0], cut[1])) return true;
-        }
+        const bool reversed = clip_.direction == umbrage::depth_direction::reversed;
+        for (std::size_t k = 0; k < triangles_.size(); ++k)
+            if (sees_edge(glm::dmat4(matrix_), reversed, corners(k), glm::dvec2(at), 1.5 * double(texels))) return true;
         return false;
     }
 

@@ -144,6 +144,22 @@ public:
     void visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                     image_view<const glm::vec3> normals, image_view<float> out, ParallelFor&& parallel = {}) const;
 
+    /// Depth before a point within which the bias may detach a shadow (peter-panning), of a caster as steep as the
+    /// surface: beyond it the point is wholly dark. light_units_at has it in world units.
+    /// @return   0 .. 1, in the map that the point is looked up in; of two that blend the greater
+    [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
+        requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
+        float distance = 0.0f;
+        static_cast<void>(
+            SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal, [&](const map_place& place) {
+                shadow_terms terms = uniforms_.terms;
+                terms.error += detail::bias_of<Filter>(terms, place.slope);
+                distance = detail::greater(distance, detail::bias_of<Filter>(terms, place.slope));
+                return 0.0f;
+            }));
+        return distance;
+    }
+
     /// What the shader of in_shader.hpp takes.
     /// @param frame   points that the shader is given are relative to its origin; far from the world's origin give the
     ///                camera's place, and the light in double

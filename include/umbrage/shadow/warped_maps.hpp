@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Warped cascades of a directional light (LiSPSM, TSM, PSM), up to four: a map each, the one that the distance along the
-// camera's axis names, and near its end a blend with the next.
+// Warped cascades of a directional light (LiSPSM, TSM, PSM), up to four: a map each, the one that the distance along
+// the camera's axis names, and near its end a blend with the next.
 //
 //     const auto cascades = umbrage::make_warped_cascades<4>(
 //         fit, splits, [](const auto& part) { return umbrage::fit_light_space_perspective(part); });

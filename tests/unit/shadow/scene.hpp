@@ -67,7 +67,7 @@ template <std::size_t Count = 3>
 template <std::size_t Count = 3>
 [[nodiscard]] warped_maps warped(clip_space clip) {
     const cascade_fit<float> fit = range(clip);
-    const auto parts = make_warped_cascades<Count>(fit, practical_splits<Count>(0.5f, 60.0f, 0.9f),
+    const auto parts = make_warped_cascades<Count>(fit, practical_splits<Count>(0.5f, 60.0f, 0.4f),
                                                    [](const auto& part) { return fit_light_space_perspective(part); });
     return warped_maps(parts, fit.camera, fit.overlap);
 }

@@ -201,6 +201,24 @@ TEST_CASE("shadow: points relative to an origin see what the world sees") {
     });
 }
 
+TEST_CASE("shadow: its bias detaches shadows as far as peter_panning_distance says by hand") {
+    const light_space<float> light = spot(cpu_clip_space);
+    const glm::vec3 world(1, 0, -2), normal(1, 3, 2);
+    const glm::dmat4 to_texels = texture_matrix<double>(detail::in_double(light), {256, 128});
+    const glm::vec2 slope = receiver_slope(glm::mat4(plane_matrix(to_texels)), normal, world);
+    const shadow box(light, {256, 128}, filters::box{.radius = 2}, rg<11>{});
+    const shadow_terms terms = box.uniforms().terms;
+    const float bias = acne_free_bias(slope, terms.reach, terms.error);
+    CHECK(box.peter_panning_distance(world, normal) == peter_panning_distance(bias + terms.error, slope, terms.reach));
+    const shadow disc(light, {256, 128}, filters::disc{});
+    const shadow_terms round = disc.uniforms().terms;
+    const float disc_bias = acne_free_disc_bias(slope, round.filter_terms.y, round.error);
+    CHECK(disc.peter_panning_distance(world, normal) ==
+          acne_free_disc_bias(slope, round.filter_terms.y, round.error + disc_bias));
+    CHECK(disc.peter_panning_distance(world, glm::vec3(std::numeric_limits<float>::quiet_NaN())) == 1.0f);
+    static_assert(!requires(const shadow<single_map, filters::pcss>& s) { s.peter_panning_distance(world, normal); });
+}
+
 TEST_CASE("shadow: bad input") {
     const light_space<float> light = spot(cpu_clip_space);
     const shadow s(light, {64, 32}, filters::pcf_2x2{});
