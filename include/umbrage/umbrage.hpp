@@ -47,6 +47,7 @@
 #include <umbrage/shader/msl.hpp>
 #include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/wgsl.hpp>
+#include <umbrage/shadow/adaptive_maps.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/depth_pass.hpp>
@@ -55,3 +56,4 @@
 #include <umbrage/shadow/shadow.hpp>
 #include <umbrage/shadow/single_map.hpp>
 #include <umbrage/shadow/tetrahedron_map.hpp>
+#include <umbrage/shadow/warped_maps.hpp>

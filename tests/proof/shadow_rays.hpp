@@ -165,7 +165,7 @@ void for_each_traced(shadowed_scene& scene, const Use& use) {
         });
 }
 
-/// How much of the distance that is stated a caster's shadow is really lost for, at least. Of 4096 receivers none lies in
+/// The least share of the stated distance over which a caster's shadow is really lost. Of 4096 receivers none lies in
 /// the very corner of its texel, which is 1/30 of a hard filter's reach; beside the reach the bias covers what a
 /// rasterizer and floats lose. Paraboloids are curved: their bias covers every direction's slope, and tessellation.
 [[nodiscard]] constexpr double least_share(std::string_view set_up) { return set_up == "paraboloids" ? 0.6 : 0.93; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Shadows in shaders: a cascaded sun, a spot packed into bytes, one under a comparison sampler and a cube in one; soft
-// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third; warped cascades and
-// pages, in an atlas and in an array, in a fourth. OpenGL and C++ have to say the same of each receiver.
+// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third; warped cascades
+// and pages, in an atlas and in an array, in a fourth. OpenGL and C++ have to say the same of each receiver.
 //
 //     shadows_in_gl          prints how many receivers differ, in each dialect; 1 when some do
 //     shadows_in_gl --fault  one number of each block is wrong: all must differ

@@ -133,9 +133,9 @@ struct warped_maps {
 
 template <real T, std::size_t Count>
 struct set_up_for<std::array<warped_cascade<T>, Count>> {
-    static_assert(Count == 0,
-                  "warped cascades are chosen along the camera's axis: give the shadow "
-                  "umbrage::warped_maps(cascades, camera)");
+    static_assert(
+        Count == 0,
+        "warped cascades are chosen along the camera's axis: take warped_maps(cascades, camera) as the light");
 };
 
 }  // namespace umbrage

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Shadows of every set-up against rays, over many random scenes in every convention, on all cores. Prints a table, writes
-// it as TSV into the file that the argument names, and fails when anything in it does.
+// Shadows of every set-up against rays, over many random scenes in every convention, on all cores. Prints a table,
+// writes it as TSV into the file that the argument names, and fails when anything in it does.
 //
 //     prove_shadows shadows.tsv        or fewer scenes than 512: prove_shadows shadows.tsv 32
 #include <algorithm>
